@@ -67,6 +67,16 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 # All that is installed; what is added to it below are the targets that install themselves.
 add_custom_target(product)
 
+# gsim_own_page(NAME COMPONENT): the man page of a program that is no part of gsim, as it prints it (`NAME manual`).
+function(gsim_own_page name component)
+    set(page ${CMAKE_BINARY_DIR}/man/${name}.1)
+    add_custom_command(OUTPUT ${page} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man COMMAND ${name} manual > ${page}
+                       DEPENDS ${name} COMMENT "Writing ${name}.1" VERBATIM)
+    add_custom_target(${name}-page ALL DEPENDS ${page})
+    add_dependencies(product ${name}-page)
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+
 # gsim_pages(NAMES...): man pages and completions of gsim and of the programs it is called by, as the program prints them.
 function(gsim_pages)
     set(man ${CMAKE_BINARY_DIR}/man)

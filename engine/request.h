@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,10 @@
 #include "engine/api.h"
 #include "engine/cancel.h"
 #include "engine/host.h"
+
+namespace gsim::script {
+class CompiledLibrary;
+}
 
 namespace gsim::engine {
 
@@ -48,6 +53,18 @@ struct OverrideChoice {
     bool turns_nothing() const { return !feed_percent && !rapid_percent && !spindle_percent && file.empty(); }
 };
 
+/// The library in Lua that is built in, compiled once for all runs that have this in their request: most of
+/// the time of a small program. Copies are one; for any number of threads.
+class GSIM_API SharedLibrary {
+  public:
+    SharedLibrary();
+    /// For the library itself.
+    const std::shared_ptr<script::CompiledLibrary>& inner() const { return compiled_; }
+
+  private:
+    std::shared_ptr<script::CompiledLibrary> compiled_;
+};
+
 /// What is run, and on what. Names are those of files, or what Host::find finds; an empty one: none.
 struct Request {
     std::string program = {};       ///< Part program, or script in Lua (.lua).
@@ -61,7 +78,8 @@ struct Request {
     std::string robots = {};     ///< Robots and conveyors, each robot with a machine of its own.
     std::string variables = {};  ///< Permanent variables; there need be no such file.
     std::string library = {};    ///< Folder of the library in Lua; empty: the one built in.
-    std::string module = {};     ///< Controller module (Host::load_module).
+    std::optional<SharedLibrary> shared_library = {};  ///< Where there is no folder.
+    std::string module = {};                           ///< Controller module (Host::load_module).
     std::string probe = {};  ///< What probes touch: "none", "z=-3.2" (mm of the machine); empty: the cell.
     LanguageChoice language = {};
     OverrideChoice overrides = {};

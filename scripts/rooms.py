@@ -18,7 +18,7 @@ EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 EXTERNAL = (
     (r"fmt/.*", "fmt"), (r"fast_float/.*", "fast_float"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
     (r"lua\.hpp", "Lua"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r"ceres/.*", "Ceres"), (r".*\.hxx", "OpenCASCADE"),
-    (r"zlib\.h", "zlib"), (r"httplib\.h", "cpp-httplib"), (r"emscripten\.h", "emscripten"),
+    (r"boost/.*", "Boost"), (r"sqlite3\.h", "SQLite"), (r"openssl/.*", "OpenSSL"), (r"zlib\.h", "zlib"), (r"httplib\.h", "cpp-httplib"), (r"emscripten\.h", "emscripten"),
     (r"std(int|def)\.h", ""), (r"[a-z_/]+\.h", "POSIX"), (r"[a-z_]+", ""))
 
 

@@ -25,6 +25,8 @@ script::Engine::Options options_of(const Request& request, RunInputs& inputs, co
 
 }  // namespace
 
+SharedLibrary::SharedLibrary() : compiled_(std::make_shared<script::CompiledLibrary>()) {}
+
 simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu) {
     return {.max_time_s = request.limits.machine_s,
             .max_blocks = request.limits.blocks,
@@ -39,7 +41,11 @@ script::Engine::Options engine_options(const Request& request, machine::MachineD
     options.limits.memory_bytes = countable(request.limits.memory_bytes);
     options.limits.steps = request.limits.steps;
     options.cpu = &tools.cpu;
-    if (!request.library.empty()) options.library = script::Library(request.library, files);
+    if (!request.library.empty()) {
+        options.library = script::Library(request.library, files);
+    } else if (request.shared_library) {
+        options.library = script::Library(request.shared_library->inner());
+    }
     options.data = std::move(data);
     options.find_program = program_finder(files, request.program, language, tools.tell);
     options.find_module = module_finder(files, request.program, request.limits.memory_bytes);

@@ -151,12 +151,41 @@ void name_functions(lua_State* state, const std::string& table) {
     lua_pop(state, 1);
 }
 
+int append_bytes(lua_State* /*state*/, const void* bytes, std::size_t count, void* to) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), count);
+    return 0;
+}
+
+/// The function on top of the stack, with the places of its lines.
+std::string compiled_function(lua_State* state) {
+    std::string bytes;
+    lua_dump(state, append_bytes, &bytes, 0);
+    return bytes;
+}
+
+/// `mode`: "t" for texts, "b" for what was compiled. The environment on top of the stack becomes the
+/// function's.
+void load_chunk(lua_State* state, std::string_view bytes, const char* name, const char* mode) {
+    if (luaL_loadbufferx(state, bytes.data(), bytes.size(), name, mode) != LUA_OK) lua_error(state);
+    lua_insert(state, -2);
+    lua_setupvalue(state, -2, 1);
+}
+
+/// Of the library, compiled before where somebody has.
+void load_file(lua_State* state, const Library& library, const std::string& file_name) {
+    const std::string chunk = "=lua_lib/" + file_name;
+    const auto compiled = library.compiled() == nullptr ? nullptr : library.compiled()->find(file_name);
+    if (compiled != nullptr) return load_chunk(state, *compiled, chunk.c_str(), "b");
+    const tl::expected<std::string, std::string> text = library.read(file_name);
+    if (!text) throw std::runtime_error(text.error());
+    load_chunk(state, *text, chunk.c_str(), "t");
+    if (library.compiled() != nullptr) library.compiled()->keep(file_name, compiled_function(state));
+}
+
 }  // namespace
 
 void load_text(lua_State* state, const std::string& text, const char* name) {
-    if (luaL_loadbufferx(state, text.data(), text.size(), name, "t") != LUA_OK) lua_error(state);
-    lua_insert(state, -2);
-    lua_setupvalue(state, -2, 1);
+    load_chunk(state, text, name, "t");
 }
 
 /// What a script sees (the environment) and what the library's files see: the same safe functions, each in
@@ -277,10 +306,8 @@ void Control::load_module(lua_State* state, const std::string& name) {
         throw std::runtime_error(fmt::format("files of the library need each other: {} needs {}", way, name));
     }
     loading_.push_back(name);
-    const tl::expected<std::string, std::string> text = files_->read(name + ".lua");
-    if (!text) throw std::runtime_error(text.error());
     lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
-    load_text(state, *text, ("=lua_lib/" + name + ".lua").c_str());
+    load_file(state, *files_, name + ".lua");
     lua_call(state, 0, 1);
     if (lua_isnil(state, -1)) {
         lua_pop(state, 1);

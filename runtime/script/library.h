@@ -1,13 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <tl/expected.hpp>
 
 #include "base/os/files.h"
+#include "runtime/script/compiled_library.h"
 
 namespace gsim::script {
 
@@ -16,6 +19,8 @@ class Library {
   public:
     /// The files that are built in.
     Library() = default;
+    /// The same, compiled once for all that share it.
+    explicit Library(std::shared_ptr<CompiledLibrary> compiled) : compiled_(std::move(compiled)) {}
     /// Those of a folder of `files`, which outlive this.
     explicit Library(std::filesystem::path folder, const os::Files& files = os::disk())
         : folder_(std::move(folder)), folder_files_(&files) {}
@@ -23,7 +28,11 @@ class Library {
     /// The text of one file, such as "init.lua"; the error is a sentence for the user.
     tl::expected<std::string, std::string> read(std::string_view file_name) const;
 
+    /// Null: each file is compiled where it is needed.
+    CompiledLibrary* compiled() const { return compiled_.get(); }
+
   private:
+    std::shared_ptr<CompiledLibrary> compiled_ = nullptr;
     std::optional<std::filesystem::path> folder_;
     const os::Files* folder_files_ = nullptr;
 };

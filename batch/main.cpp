@@ -1,0 +1,263 @@
+// gsim-batch: many programs on many machines in many variants, into one file of results.
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "apps/exit_status.h"
+#include "apps/help_text.h"
+#include "apps/man_page.h"
+#include "apps/named_files.h"
+#include "apps/parse.h"
+#include "apps/print.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
+#include "batch/batch_run.h"
+#include "batch/store/outputs.h"
+#include "batch/work/worker.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using Done = tl::expected<void, std::string>;
+
+constexpr const char* kName = "gsim-batch";
+constexpr const char* kManualWord = "manual";
+
+struct Arguments {
+    std::vector<std::string> inputs;
+    std::vector<std::string> machines;
+    std::string machine_data, cell, dialect;
+    bool no_collisions = false;
+    bool reports = false;
+    std::string results = "gsim-batch.sqlite";
+    std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
+    std::uint64_t memory_mb = 4096;
+    double timeout_s = 600;
+    bool retry = false;
+    std::string csv, json_lines, junit, sarif;
+    bool quiet = false;
+};
+
+void add_options(apps::CommandLine& line, Arguments& a) {
+    using apps::FileKind;
+    line.add("plan.toml|programs", &a.inputs,
+             "a plan, or part programs, folders of them and patterns; without any the results that are there "
+             "are told")
+        .of_file(FileKind::input, {".toml", ".nc", ".ngc"});
+    line.begin_group("Without a plan");
+    line.add("--machine", &a.machines, "machine file or name; as often as there are machines")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &a.machine_data, "machine data (NCFILE) of all runs")
+        .of_file(FileKind::input, {".txt"});
+    line.add("--cell", &a.cell, "cell file of all runs").of_file(FileKind::input, {".toml"});
+    line.add("--dialect", &a.dialect, "language of the programs; else as the machine files say")
+        .called("NAME");
+    line.add("--no-collisions", &a.no_collisions, "do not look for collisions and near misses");
+    line.begin_group("Results");
+    line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+        .called("FILE")
+        .shows_default();
+    line.add("--reports", &a.reports, "keep the whole report of each run, too");
+    line.add("--csv", &a.csv, "write the runs of this batch as CSV; -: standard output")
+        .of_file(FileKind::output, {".csv"});
+    line.add("--json-lines", &a.json_lines, "the same as JSON, an object a line")
+        .of_file(FileKind::output, {".jsonl"});
+    line.add("--junit", &a.junit, "write them as a test report (JUnit)").of_file(FileKind::output, {".xml"});
+    line.add("--sarif", &a.sarif, "write what is wrong with the programs as SARIF 2.1.0")
+        .of_file(FileKind::output, {".sarif"});
+    line.add("-q,--quiet", &a.quiet, "no word on the way, no summary");
+    line.begin_group("How it is run");
+    line.add("-j,--workers", &a.workers, "processes that run programs at once")
+        .within(1, 4096)
+        .shows_default();
+    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
+        .called("MB")
+        .within(64, 1'000'000)
+        .shows_default();
+    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
+        .called("SECONDS")
+        .within(0.01, 1e6)
+        .shows_default();
+    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    line.add_example("gsim-batch --machine mine.toml --machine other.toml programs/",
+                     "each program of a folder on two machines");
+    line.add_example("gsim-batch plan.toml --results nightly.sqlite --junit nightly.xml", "what a plan says");
+    line.add_example("gsim-batch --results nightly.sqlite --csv -", "the runs of the batch before, as CSV");
+    line.add_example("sqlite3 nightly.sqlite 'SELECT * FROM causes'", "why runs fail, and how many");
+}
+
+std::atomic<bool>& stop_flag() {
+    static std::atomic<bool> stop = false;  // a signal handler reaches nothing else
+    return stop;
+}
+
+extern "C" void ask_to_stop(int signal) {
+    if (stop_flag().exchange(true)) {
+        // Asked twice: whoever waits does not want to.
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
+bool is_plan(const Arguments& arguments) {
+    return arguments.inputs.size() == 1 && arguments.inputs.front().ends_with(".toml");
+}
+
+tl::expected<Plan, std::string> plan_of_words(const Arguments& arguments) {
+    Plan plan;
+    for (const std::string& input : arguments.inputs) {
+        const auto found = find_programs(input);
+        if (!found) return tl::unexpected(found.error());
+        plan.programs.insert(plan.programs.end(), found->begin(), found->end());
+    }
+    if (!arguments.machines.empty()) plan.machines = arguments.machines;
+    if (!arguments.machine_data.empty()) plan.options["machine_data"] = arguments.machine_data;
+    if (!arguments.cell.empty()) plan.options["cell"] = arguments.cell;
+    if (!arguments.dialect.empty()) plan.options["dialect"] = arguments.dialect;
+    if (arguments.no_collisions) plan.options["collisions"] = false;
+    return plan;
+}
+
+tl::expected<Plan, std::string> plan_of(const Arguments& arguments) {
+    auto plan = plan_of_words(arguments);
+    if (is_plan(arguments)) {
+        const bool says_more = !arguments.machines.empty() || !arguments.machine_data.empty() ||
+                               !arguments.cell.empty() || !arguments.dialect.empty() ||
+                               arguments.no_collisions;
+        if (says_more)
+            return tl::unexpected<std::string>(
+                "a plan says itself which machines and options there are; take those away");
+        const auto text = os::read_text_file(arguments.inputs.front(), os::NamedBy::command_line);
+        if (!text) return tl::unexpected(text.error());
+        plan = read_plan(*text, arguments.inputs.front());
+    }
+    if (plan) plan->keeps_reports = plan->keeps_reports || arguments.reports;
+    return plan;
+}
+
+std::string shown_time(double time_s) {
+    const auto whole = static_cast<std::uint64_t>(time_s);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+/// A line that is drawn over again on a terminal.
+void show_progress(const BatchTally& tally) {
+    const double rate_1_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
+    const auto left = static_cast<double>(tally.jobs - tally.done());
+    const std::string rest = tally.ran > 0 ? shown_time(left / rate_1_s) + " left" : std::string();
+    fmt::print(stderr, "\r{} of {}, {} failed, {:.1f}/s, {}   ", tally.done(), tally.jobs, tally.failed,
+               rate_1_s, rest);
+}
+
+Done write_output(Database& results, const std::string& file,
+                  const std::function<SqlDone(Database&, const Sink&)>& write) {
+    if (file.empty()) return {};
+    if (file == os::kStandardStream) {
+        return write(results, [](std::string_view text) {
+            apps::print(text);
+            return true;
+        });
+    }
+    auto output = os::OutputFile::open(file);
+    if (!output) return tl::unexpected(output.error());
+    return write(results, [&](std::string_view text) { return output->write(text); }).and_then([&] {
+        return output->commit();
+    });
+}
+
+Done write_outputs(const Arguments& arguments) {
+    auto results = Database::open(arguments.results, true);
+    if (!results) return tl::unexpected(results.error());
+    const auto csv = [](Database& from, const Sink& sink) { return write_csv(from, kPlainRuns, sink); };
+    const auto lines = [](Database& from, const Sink& sink) {
+        return write_json_lines(from, kWholeRuns, sink);
+    };
+    const bool prints = arguments.csv == "-" || arguments.json_lines == "-" || arguments.junit == "-" ||
+                        arguments.sarif == "-";
+    return write_output(*results, arguments.csv, csv)
+        .and_then([&] { return write_output(*results, arguments.json_lines, lines); })
+        .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
+        .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
+        .and_then([&]() -> Done {
+            if (arguments.quiet || prints) return {};
+            return summary(*results).map([](const std::string& text) { apps::print(text); });
+        })
+        .map_error(
+            [&](const std::string& why) { return fmt::format("results '{}': {}", arguments.results, why); });
+}
+
+int refuse(const std::string& why) {
+    fmt::print(stderr, "{}: {}\n", kName, why);
+    return apps::kUsage;
+}
+
+int run_plan(const Arguments& arguments) {
+    const auto plan = plan_of(arguments);
+    if (!plan) return refuse(plan.error());
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    const bool shows = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
+    const auto tally = run_batch(*plan,
+                                 {.results = arguments.results,
+                                  .workers = arguments.workers,
+                                  .memory_mb = arguments.memory_mb,
+                                  .timeout_s = arguments.timeout_s,
+                                  .retry = arguments.retry},
+                                 stop_flag(), [&](const BatchTally& now) {
+                                     if (shows) show_progress(now);
+                                 });
+    if (shows) fmt::print(stderr, "\n");
+    if (!tally) return refuse(tally.error());
+    if (!arguments.quiet)
+        fmt::print(stderr, "{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
+                   tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed);
+    if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
+    if (!tally->whole) {
+        fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kName);
+        return apps::kProgramFault;
+    }
+    return tally->failed > 0 ? apps::kProgramFault : apps::kDone;
+}
+
+int run(const std::vector<std::string>& words) {
+    if (words.size() == 2 && words.front() == kWorkerWord) return work(std::stoull(words.back()));
+    Arguments arguments;
+    apps::CommandLine line(
+        kName,
+        "Runs many programs on many machines in many variants, and keeps what comes of it in one file");
+    add_options(line, arguments);
+    if (words.size() == 1 && words.front() == kManualWord) {
+        apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-run", "gsim-check"}));
+        return apps::kDone;
+    }
+    const auto parsed = apps::parse(line, words);
+    if (!parsed) return refuse(parsed.error());
+    if (*parsed) return **parsed;
+    if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
+    if (!arguments.inputs.empty()) return run_plan(arguments);
+    const Done done = write_outputs(arguments);
+    return done ? apps::kDone : refuse(done.error());
+}
+
+}  // namespace
+
+}  // namespace gsim::batch
+
+int main(int argc, char** argv) {
+    try {
+        return gsim::apps::finish_standard_output(
+            gsim::batch::run(std::vector<std::string>(argv + 1, argv + argc)));
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "gsim-batch: {}\n", error.what());
+        return gsim::apps::kUsage;
+    }
+}

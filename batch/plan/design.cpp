@@ -1,0 +1,112 @@
+#include "batch/plan/design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include <boost/random/sobol.hpp>
+
+namespace gsim::batch {
+
+namespace {
+
+using Random = std::mt19937_64;
+
+/// From 0 to below 1. Those of the standard library differ from one to the other.
+double lot(Random& random) {
+    constexpr double kSteps = 9007199254740992.0;  // 2^53
+    return static_cast<double>(random() >> 11U) / kSteps;
+}
+
+/// Below `count`, each alike.
+std::size_t lot_of(Random& random, std::size_t count) {
+    return static_cast<std::size_t>(lot(random) * static_cast<double>(count));
+}
+
+std::vector<double> random_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<double> shares(settings * runs);
+    std::generate(shares.begin(), shares.end(), [&] { return lot(random); });
+    return shares;
+}
+
+/// McKay, Beckman, Conover 1979: of each setting a shuffle of the parts, and a place by lot in each.
+std::vector<double> hypercube_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<double> shares(settings * runs);
+    std::vector<std::uint64_t> parts(runs);
+    for (std::size_t setting = 0; setting < settings; ++setting) {
+        std::iota(parts.begin(), parts.end(), std::uint64_t{0});
+        for (std::size_t left = parts.size(); left > 1; --left)
+            std::swap(parts[left - 1], parts[lot_of(random, left)]);
+        for (std::uint64_t run = 0; run < runs; ++run)
+            shares[run * settings + setting] =
+                (static_cast<double>(parts[run]) + lot(random)) / static_cast<double>(runs);
+    }
+    return shares;
+}
+
+/// With the numbers of Joe and Kuo, shifted by lot as one (modulo 1), so that other seeds are other designs;
+/// from its second point on, as the first one is 0 in all dimensions before.
+std::vector<double> sobol_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
+    if (settings == 0) return {};
+    boost::random::sobol sequence(settings);
+    Random random(seed);
+    std::vector<double> shift(settings);
+    std::generate(shift.begin(), shift.end(), [&] { return lot(random); });
+    constexpr double kSteps = 18446744073709551616.0;  // 2^64
+    std::vector<double> shares(settings * runs);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double share = static_cast<double>(sequence()) / kSteps + shift[i % settings];
+        shares[i] = share - std::floor(share);
+    }
+    return shares;
+}
+
+std::size_t values_of(const Setting& setting) {
+    return std::get<Choices>(setting.domain).values.size();
+}
+
+}  // namespace
+
+Design::Design(std::vector<Setting> settings, const DesignOptions& options)
+    : settings_(std::move(settings)), sampling_(options.sampling) {
+    if (sampling_ == Sampling::grid) {
+        for (const Setting& setting : settings_) size_ *= values_of(setting);
+        return;
+    }
+    size_ = options.runs;
+    switch (sampling_) {
+        case Sampling::random: shares_ = random_shares(settings_.size(), size_, options.seed); break;
+        case Sampling::latin_hypercube:
+            shares_ = hypercube_shares(settings_.size(), size_, options.seed);
+            break;
+        case Sampling::sobol: shares_ = sobol_shares(settings_.size(), size_, options.seed); break;
+        case Sampling::grid: break;
+    }
+}
+
+std::vector<SettingValue> Design::variant(std::uint64_t number) const {
+    if (sampling_ == Sampling::grid) return of_grid(number);
+    std::vector<SettingValue> values;
+    for (std::size_t i = 0; i < settings_.size(); ++i)
+        values.push_back({settings_[i].key,
+                          value_at(settings_[i].domain, shares_[number * settings_.size() + i]),
+                          settings_[i].is_factor});
+    return values;
+}
+
+// The last setting changes from one to the next.
+std::vector<SettingValue> Design::of_grid(std::uint64_t number) const {
+    std::vector<SettingValue> values(settings_.size());
+    for (std::size_t i = settings_.size(); i-- > 0;) {
+        const auto& choices = std::get<Choices>(settings_[i].domain).values;
+        values[i] = {settings_[i].key, choices[number % choices.size()], settings_[i].is_factor};
+        number /= choices.size();
+    }
+    return values;
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "batch/plan/setting.h"
+#include "batch/work/job.h"
+
+namespace gsim::batch {
+
+/// How values of settings are combined.
+enum class Sampling : std::uint8_t {
+    grid,             ///< Each value of one with each of all others.
+    random,           ///< Each by lot.
+    latin_hypercube,  ///< By lot, but each setting has one value in each of as many equal parts as there are
+                      ///< runs.
+    sobol,  ///< The sequence of Sobol: even in all dimensions, the first of them as good as few can be.
+};
+
+/// Which values settings have in the variants of a batch.
+struct DesignOptions {
+    Sampling sampling = Sampling::grid;
+    std::uint64_t runs = 0;  ///< Of all but a grid.
+    std::uint64_t seed = 1;
+};
+
+/// The variants of a batch: each has a value of each setting. The same options give the same ones, on any
+/// machine.
+class Design {
+  public:
+    Design(std::vector<Setting> settings, const DesignOptions& options);
+
+    std::uint64_t size() const { return size_; }
+    std::vector<SettingValue> variant(std::uint64_t number) const;
+
+  private:
+    std::vector<SettingValue> of_grid(std::uint64_t number) const;
+
+    std::vector<Setting> settings_;
+    Sampling sampling_;
+    std::uint64_t size_ = 1;
+    std::vector<double> shares_;  ///< Of all settings of the first variant, of the second one, ...
+};
+
+}  // namespace gsim::batch

@@ -1,0 +1,107 @@
+#include "batch/plan/plan.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include "base/text/letter_case.h"
+
+namespace gsim::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Fault = tl::unexpected<std::string>;
+using Names = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 15> kEndings{".nc",    ".ngc", ".ncd", ".tap", ".cnc",
+                                                    ".gcode", ".gco", ".g",   ".iso", ".eia",
+                                                    ".mpf",   ".min", ".din", ".pim", ".lua"};
+
+bool is_program(const fs::path& file) {
+    const std::string ending = text::lower(file.extension().string());
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+bool is_pattern(const std::string& name) {
+    return name.find_first_of("*?[") != std::string::npos;
+}
+
+/// The files below a folder of which `wanted` is true; hidden folders and files are left out.
+tl::expected<Names, std::string> files_below(const fs::path& folder, const auto& wanted) {
+    std::error_code error;
+    Names found;
+    auto entry = fs::recursive_directory_iterator(folder, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        const bool hidden = entry->path().filename().string().starts_with('.');
+        if (hidden && entry->is_directory()) entry.disable_recursion_pending();
+        if (!hidden && entry->is_regular_file() && wanted(entry->path()))
+            found.push_back(entry->path().string());
+    }
+    if (error) return Fault(fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Whether a name is meant by a pattern: `**/` is any folders, `*` nothing that has a slash.
+bool is_meant(const std::string& name, const std::string& pattern) {
+    const std::size_t any = pattern.find("**/");
+    if (any == std::string::npos) return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME) == 0;
+    const std::string head = pattern.substr(0, any), tail = pattern.substr(any + 3);
+    if (!name.starts_with(head) && !is_pattern(head)) return false;
+    for (std::size_t slash = any; slash != std::string::npos && slash <= name.size();) {
+        const bool begins = ::fnmatch(head.c_str(), name.substr(0, slash).c_str(), FNM_PATHNAME) == 0;
+        if (begins && is_meant(name.substr(slash), tail)) return true;
+        const std::size_t next = name.find('/', slash);
+        slash = next == std::string::npos ? next : next + 1;
+    }
+    return false;
+}
+
+tl::expected<Names, std::string> matches(const std::string& pattern) {
+    const std::size_t first = pattern.find_first_of("*?[");
+    const std::size_t slash = pattern.rfind('/', first);
+    const fs::path folder = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
+    const std::string whole = slash == std::string::npos ? "./" + pattern : pattern;
+    auto found = files_below(folder, [&](const fs::path& file) { return is_meant(file.string(), whole); });
+    if (found && slash == std::string::npos) {
+        for (std::string& name : *found) name.erase(0, 2);
+    }
+    return found;
+}
+
+}  // namespace
+
+tl::expected<Names, std::string> find_programs(const std::string& name) {
+    std::error_code ignored;
+    if (fs::is_regular_file(name, ignored)) return Names{name};
+    const bool is_folder = fs::is_directory(name, ignored);
+    if (!is_folder && !is_pattern(name))
+        return Fault(fmt::format("cannot read '{}': there is no such file or folder", name));
+    auto found = is_folder ? files_below(name, is_program) : matches(name);
+    if (found && found->empty())
+        return Fault(is_folder
+                         ? fmt::format("'{}' has no part programs ({})", name, fmt::join(kEndings, ", "))
+                         : fmt::format("nothing is called '{}'", name));
+    return found;
+}
+
+Jobs::Jobs(const Plan& plan) : plan_(plan), design_(plan.settings, plan.design) {}
+
+// All variants of a program on one machine, then on the next one; then the next program.
+Job Jobs::job(std::uint64_t number) const {
+    const std::uint64_t variant = number % design_.size();
+    const std::uint64_t rest = number / design_.size();
+    return {.number = number,
+            .program = plan_.programs[rest / plan_.machines.size()],
+            .machine = plan_.machines[rest % plan_.machines.size()],
+            .options = plan_.options,
+            .settings = design_.variant(variant),
+            .keeps_report = plan_.keeps_reports};
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "batch/plan/design.h"
+#include "batch/plan/setting.h"
+#include "batch/work/job.h"
+
+namespace gsim::batch {
+
+/// What is to be run: each program on each machine with each control, in each variant of the settings.
+struct Plan {
+    std::string name;                   ///< Of its file; empty: the command line has told it all.
+    std::vector<std::string> programs;  ///< Files.
+    std::vector<std::string> machines = {
+        ""};  ///< Files or names; an empty one: that of the cell, or built in.
+    nlohmann::json options = nlohmann::json::object();  ///< Of all runs (run_options()).
+    std::vector<Setting> settings;
+    DesignOptions design;
+    bool keeps_reports = false;
+};
+
+/// The jobs of a plan, made where they are needed: there may be millions.
+class Jobs {
+  public:
+    explicit Jobs(const Plan& plan);
+
+    std::uint64_t size() const { return plan_.programs.size() * plan_.machines.size() * design_.size(); }
+    Job job(std::uint64_t number) const;
+
+  private:
+    const Plan& plan_;
+    Design design_;
+};
+
+/// What a folder or a pattern (`*`, `?`, `[...]`, `**` for folders in folders) means: part programs by their
+/// endings (.nc, .ngc, .tap, .cnc, .gcode, .lua and others, in any case), in the order of their names. A file
+/// is itself, whatever its ending. The error: there is none.
+tl::expected<std::vector<std::string>, std::string> find_programs(const std::string& name);
+
+/// Reads a plan (docs/batch.md). Files are named from its folder. The error begins with its place.
+tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name);
+
+}  // namespace gsim::batch

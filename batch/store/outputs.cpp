@@ -1,0 +1,218 @@
+#include "batch/store/outputs.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/diagnostic.h"
+#include "engine/findings.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+using nlohmann::json;
+
+constexpr std::size_t kLongestCause = 60;  // characters of a sentence in the summary
+
+/// Calls `take` with the statement at each row of a query.
+template <typename Take>
+SqlDone for_each_row(Database& results, std::string_view query, const Take& take) {
+    auto rows = results.prepare(query);
+    if (!rows) return Fault(rows.error());
+    while (true) {
+        const auto row = rows->step();
+        if (!row) return Fault(row.error());
+        if (!*row) return {};
+        if (!take(*rows)) return Fault("it cannot be written");
+    }
+}
+
+std::string quoted_csv(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+std::string line_of(const std::vector<std::string>& cells) {
+    return fmt::format("{}\r\n", fmt::join(cells, ","));
+}
+
+bool is_json(const std::string& column) {
+    return column == "settings" || column == "options" || column == "extents" || column == "findings";
+}
+
+json value_in(const Statement& row, int column) {
+    if (row.is_null(column)) return {};
+    const std::string text(row.text(column));
+    if (row.is_number(column)) return json::parse(text);
+    if (!is_json(row.name(column))) return text;
+    json value = json::parse(text, nullptr, false);
+    return value.is_discarded() ? json(text) : value;
+}
+
+std::string xml(std::string_view text) {
+    std::string safe;
+    for (const char c : text) {
+        switch (c) {
+            case '&': safe += "&amp;"; break;
+            case '<': safe += "&lt;"; break;
+            case '>': safe += "&gt;"; break;
+            case '"': safe += "&quot;"; break;
+            // What XML has no character for.
+            default: safe += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
+        }
+    }
+    return safe;
+}
+
+std::string_view named(std::string_view machine) {
+    return machine.empty() ? std::string_view("built-in machine") : machine;
+}
+
+std::string junit_case(const Statement& row) {
+    const std::string settings(row.text(6));
+    std::string name(row.text(1));
+    if (settings != "{}") name += " " + settings;
+    const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.3f}")",
+                                         xml(named(row.text(0))), xml(name), row.number(5));
+    if (row.text(2) == "completed" && row.text(3).empty()) return head + "/>\n";
+    return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\">{}{}</failure>\n    </testcase>\n",
+                       head, xml(row.text(3).empty() ? row.text(2) : row.text(3)), xml(row.text(4)),
+                       xml(row.text(7)), row.whole(8) > 0 ? fmt::format(":{}", row.whole(8)) : std::string());
+}
+
+engine::Severity severity_of(const std::string& word) {
+    if (word == "error") return engine::Severity::error;
+    return word == "warning" ? engine::Severity::warning : engine::Severity::note;
+}
+
+engine::Diagnostic diagnostic_in(const json& told) {
+    const auto text = [&](const char* key) {
+        return told[key].is_string() ? told[key].get<std::string>() : "";
+    };
+    const auto count = [&](const char* key) {
+        return told[key].is_number_unsigned() ? told[key].get<std::uint32_t>() : 0U;
+    };
+    return {.severity = severity_of(text("severity")),
+            .code = text("code"),
+            .file = text("file"),
+            .line = count("line"),
+            .column = count("column"),
+            .end_column = count("end_column"),
+            .text = text("text"),
+            .hint = text("hint"),
+            .excerpt = {}};
+}
+
+std::string shortened(std::string_view sentence) {
+    if (sentence.size() <= kLongestCause) return std::string(sentence);
+    return std::string(sentence.substr(0, kLongestCause)) + "...";
+}
+
+}  // namespace
+
+SqlDone write_csv(Database& results, std::string_view query, const Sink& sink) {
+    bool headed = false;
+    return for_each_row(results, query, [&](const Statement& row) {
+        std::vector<std::string> names, cells;
+        for (int column = 0; column < row.columns(); ++column) {
+            names.push_back(quoted_csv(row.name(column)));
+            cells.push_back(quoted_csv(row.text(column)));
+        }
+        if (!headed && !sink(line_of(names))) return false;
+        headed = true;
+        return sink(line_of(cells));
+    });
+}
+
+SqlDone write_json_lines(Database& results, std::string_view query, const Sink& sink) {
+    return for_each_row(results, query, [&](const Statement& row) {
+        nlohmann::ordered_json line;
+        for (int column = 0; column < row.columns(); ++column) line[row.name(column)] = value_in(row, column);
+        return sink(line.dump(-1, ' ', false, json::error_handler_t::replace) + '\n');
+    });
+}
+
+SqlDone write_junit(Database& results, const Sink& sink) {
+    if (!sink("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gsim-batch\">\n"))
+        return Fault("it cannot be written");
+    struct Suite {
+        std::string machine;
+        std::int64_t runs = 0, failed = 0;
+    };
+    std::vector<Suite> suites;
+    const auto counted = for_each_row(
+        results,
+        "SELECT machine, count(*), sum(status <> 'completed' OR cause <> '') FROM latest GROUP BY machine",
+        [&](const Statement& row) {
+            suites.push_back({std::string(row.text(0)), row.whole(1), row.whole(2)});
+            return true;
+        });
+    if (!counted) return counted;
+    auto cases = results.prepare(
+        "SELECT machine, program, status, cause, message, cpu_s, settings, file, line FROM latest WHERE "
+        "machine = ?");
+    if (!cases) return Fault(cases.error());
+    for (const Suite& suite : suites) {
+        if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
+                              xml(named(suite.machine)), suite.runs, suite.failed)))
+            return Fault("it cannot be written");
+        cases->bind(1, suite.machine);
+        while (true) {
+            const auto row = cases->step();
+            if (!row) return Fault(row.error());
+            if (!*row) break;
+            if (!sink(junit_case(*cases))) return Fault("it cannot be written");
+        }
+        sink("  </testsuite>\n");
+    }
+    return sink("</testsuites>\n") ? SqlDone() : Fault("it cannot be written");
+}
+
+SqlDone write_sarif(Database& results, const Sink& sink) {
+    std::vector<engine::Diagnostic> diagnostics;
+    std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, std::string, std::string>> known;
+    const auto gathered = for_each_row(
+        results, "SELECT findings FROM latest WHERE findings <> '[]'", [&](const Statement& row) {
+            for (const json& told : json::parse(std::string(row.text(0)))) {
+                engine::Diagnostic one = diagnostic_in(told);
+                if (known.emplace(one.file, one.line, one.column, one.code, one.text).second)
+                    diagnostics.push_back(std::move(one));
+            }
+            return true;
+        });
+    if (!gathered) return gathered;
+    return sink(engine::findings_sarif(diagnostics)) ? SqlDone() : Fault("it cannot be written");
+}
+
+tl::expected<std::string, std::string> summary(Database& results) {
+    std::string text;
+    const auto machines = for_each_row(
+        results, "SELECT machine, controller, runs, failed, cycle_time_s FROM machines",
+        [&](const Statement& row) {
+            text += fmt::format("{:<40} {:<16} {:>8} runs {:>8} failed {:>14.3f} s\n", named(row.text(0)),
+                                row.text(1), row.whole(2), row.whole(3), row.number(4));
+            return true;
+        });
+    if (!machines) return Fault(machines.error());
+    bool headed = false;
+    const auto causes = for_each_row(
+        results, "SELECT runs, status, cause, message, example FROM causes", [&](const Statement& row) {
+            if (!headed) text += "\n    runs  status      cause\n";
+            headed = true;
+            text += fmt::format("{:>8}  {:<10}  {:<24} {} ({})\n", row.whole(0), row.text(1), row.text(2),
+                                shortened(row.text(3)), row.text(4));
+            return true;
+        });
+    if (!causes) return Fault(causes.error());
+    return text;
+}
+
+}  // namespace gsim::batch

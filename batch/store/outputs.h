@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "batch/store/sqlite.h"
+
+namespace gsim::batch {
+
+/// Takes a text in pieces. False: it cannot be written.
+using Sink = std::function<bool(std::string_view)>;
+
+/// The rows of a query as CSV (RFC 4180), under a line with the names of its columns.
+SqlDone write_csv(Database& results, std::string_view query, const Sink& sink);
+/// The same as JSON, an object a line. Columns of JSON (settings, options, extents, findings) are values.
+SqlDone write_json_lines(Database& results, std::string_view query, const Sink& sink);
+
+/// All runs of the latest batch, with all that there is of them.
+inline constexpr std::string_view kWholeRuns = "SELECT * FROM latest";
+/// The same without findings, which no table has room for.
+inline constexpr std::string_view kPlainRuns =
+    "SELECT job, program, machine, machine_name, controller, options, settings, status, cause, message, "
+    "file, line, "
+    "cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
+    "violations, "
+    "collisions, process_findings, warnings, energy_j, extents, cpu_s, reused, ran_at, version, key FROM "
+    "latest";
+
+/// The latest batch as JUnit has it: a suite for each machine, a case for each run.
+SqlDone write_junit(Database& results, const Sink& sink);
+/// What is wrong with the programs of the latest batch, as SARIF 2.1.0: each finding once, whatever number of
+/// machines has it.
+SqlDone write_sarif(Database& results, const Sink& sink);
+
+/// How the latest batch went, for people: causes of failures, and the machines.
+tl::expected<std::string, std::string> summary(Database& results);
+
+}  // namespace gsim::batch

@@ -1,0 +1,237 @@
+#include "batch/store/results.h"
+
+#include <ctime>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "batch/store/schema.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+std::string now_utc() {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::int64_t as_whole(std::uint64_t number) {
+    return static_cast<std::int64_t>(number);
+}
+
+tl::expected<std::int64_t, std::string> ask(Database& database, const char* query) {
+    auto asked = database.prepare(query);
+    if (!asked) return Fault(asked.error());
+    const auto row = asked->step();
+    if (!row) return Fault(row.error());
+    return *row ? asked->whole(0) : 0;
+}
+
+SqlDone make_tables(Database& database) {
+    return database.execute(
+        fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;", kSchema,
+                    kApplication, kSchemaVersion));
+}
+
+/// A new file gets its tables, another one has to have them.
+SqlDone check_or_make(Database& database) {
+    const auto tables = ask(database, "SELECT count(*) FROM sqlite_schema");
+    if (!tables) return Fault(tables.error());
+    if (*tables == 0) return make_tables(database);
+    const auto application = ask(database, "PRAGMA application_id");
+    const auto version = ask(database, "PRAGMA user_version");
+    if (!application || *application != kApplication) return Fault("it is no file of results");
+    if (!version || *version != kSchemaVersion)
+        return Fault("it is of another version of this program; take a new file");
+    return {};
+}
+
+}  // namespace
+
+struct Results::Statements {
+    Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, note;
+};
+
+Results::Results(Database database, std::unique_ptr<Statements> statements)
+    : database_(std::move(database)), statements_(std::move(statements)) {}
+Results::Results(Results&&) noexcept = default;
+
+Results::~Results() {
+    // Statements go before their database; what was not committed by then is the caller's choice.
+    statements_.reset();
+}
+
+tl::expected<Results, std::string> Results::open(const std::string& file) {
+    const auto failed = [&](const std::string& why) {
+        return Fault(fmt::format("results '{}': {}", file, why));
+    };
+    auto database = Database::open(file);
+    if (!database) return Fault(database.error());
+    if (const auto set = database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"); !set)
+        return failed(set.error());
+    if (const auto made = check_or_make(*database); !made) return failed(made.error());
+    const auto prepared = [&](std::string_view sql) {
+        auto statement = database->prepare(sql);
+        if (!statement) throw std::runtime_error("a statement of ours is wrong: " + statement.error());
+        return *std::move(statement);
+    };
+    auto statements = std::make_unique<Statements>(Statements{
+        prepared("INSERT INTO batch (plan, version, began_at, jobs) VALUES (?, ?, ?, ?) RETURNING id"),
+        prepared("UPDATE batch SET ended_at = ?, whole = ? WHERE id = ?"),
+        prepared("SELECT run.id, status, report.run IS NOT NULL, cause FROM run LEFT JOIN report ON "
+                 "report.run = run.id "
+                 "WHERE key = ? ORDER BY run.id DESC"),
+        prepared("SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ?"),
+        prepared(
+            "INSERT INTO run (key, program, program_sha256, machine, machine_sha256, machine_name, "
+            "controller, options, settings, version, ran_at, status, cause, message, file, line, "
+            "cycle_time_s, "
+            "least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
+            "violations, collisions, process_findings, warnings, energy_j, extents, findings, cpu_s) VALUES "
+            "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+            "?, ?, "
+            "?, ?) RETURNING id"),
+        prepared("INSERT INTO setting (run, name, value) VALUES (?, ?, ?)"),
+        prepared(
+            "INSERT INTO input (file, sha256) VALUES (?, ?) ON CONFLICT (file, sha256) DO UPDATE SET file = "
+            "file RETURNING id"),
+        prepared("INSERT OR IGNORE INTO run_input (run, input) VALUES (?, ?)"),
+        prepared("INSERT INTO report (run, json) VALUES (?, ?)"),
+        prepared("INSERT OR REPLACE INTO batch_run (batch, job, run, reused) VALUES (?, ?, ?, ?)")});
+    return Results(*std::move(database), std::move(statements));
+}
+
+namespace {
+
+/// Of a statement that gives one row with one number.
+tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
+    const auto row = statement.step();
+    if (!row) return Fault(row.error());
+    const std::int64_t number = *row ? statement.whole(0) : 0;
+    if (const auto done = statement.run(); !done) return Fault(done.error());
+    return number;
+}
+
+bool may_go_better(std::string_view status) {
+    return status == "crashed" || status == "timeout" || status == "memory";
+}
+
+}  // namespace
+
+SqlDone Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
+    if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
+    Statement& add = statements_->begin_batch;
+    add.bind(1, plan).bind(2, version).bind(3, now_utc()).bind(4, as_whole(jobs));
+    return number_of(add).map([&](std::int64_t batch) { batch_ = batch; });
+}
+
+SqlDone Results::end_batch(bool whole) {
+    statements_->end_batch.bind(1, now_utc()).bind(2, std::int64_t{whole}).bind(3, batch_);
+    return statements_->end_batch.run().and_then([&] { return database_.execute("COMMIT"); });
+}
+
+SqlDone Results::commit() {
+    return database_.execute("COMMIT; BEGIN IMMEDIATE");
+}
+
+tl::expected<bool, std::string> Results::is_current(std::int64_t run, const HashOf& hash_of) {
+    Statement& inputs = statements_->inputs;
+    inputs.bind(1, run);
+    bool current = true;
+    while (true) {
+        const auto row = inputs.step();
+        if (!row) return Fault(row.error());
+        if (!*row) return current;
+        current = current && hash_of(std::string(inputs.text(0))) == inputs.text(1);
+    }
+}
+
+tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const std::string& key,
+                                                                          const HashOf& hash_of,
+                                                                          bool with_report, bool retry) {
+    std::vector<FoundRun> candidates;
+    Statement& find = statements_->find;
+    find.bind(1, key);
+    while (true) {
+        const auto row = find.step();
+        if (!row) return Fault(row.error());
+        if (!*row) break;
+        const bool lost = may_go_better(find.text(1));
+        // What has ended without a report will not have one.
+        if (retry && lost) continue;
+        if (!with_report || lost || find.text(1) == "refused" || find.whole(2) != 0)
+            candidates.push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
+    }
+    for (const FoundRun& found : candidates) {
+        const auto current = is_current(found.run, hash_of);
+        if (!current) return Fault(current.error());
+        if (*current) return found;
+    }
+    return std::nullopt;
+}
+
+tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKey& key, const RunRow& row,
+                                                     const std::string& version) {
+    Statement& add = statements_->add;
+    int at = 0;
+    const auto put = [&](const auto& value) { add.bind(++at, value); };
+    for (const std::string& text :
+         {key.key, job.program, key.program_sha256, job.machine, key.machine_sha256, row.machine,
+          row.controller, job.options.dump(), settings_json(job.settings).dump(), version, now_utc(),
+          row.status, row.cause, row.message, row.file})
+        put(std::string_view(text));
+    put(std::int64_t{row.line});
+    for (const std::optional<double> figure :
+         {std::optional(row.cycle_time_s), row.least_s, row.most_s, std::optional(row.rapid_s),
+          std::optional(row.feed_s), std::optional(row.dwell_s), std::optional(row.rapid_mm),
+          std::optional(row.feed_mm), std::optional(row.jet_on_mm)})
+        put(figure);
+    for (const std::uint64_t count :
+         {row.blocks, row.moves, row.violations, row.collisions, row.process_findings, row.warnings})
+        put(as_whole(count));
+    put(row.energy_j);
+    put(std::string_view(row.extents));
+    put(std::string_view(row.findings));
+    put(std::optional(row.cpu_s));
+    const auto run = number_of(add);
+    if (!run) return run;
+    for (const SettingValue& setting : job.settings) {
+        statements_->setting.bind(1, *run).bind(2, setting.key);
+        if (setting.value.is_number()) {
+            statements_->setting.bind(3, std::optional(setting.value.get<double>()));
+        } else {
+            statements_->setting.bind(
+                3, setting.value.is_string() ? setting.value.get<std::string>() : setting.value.dump());
+        }
+        if (const auto done = statements_->setting.run(); !done) return Fault(done.error());
+    }
+    if (const auto done = add_inputs(*run, row); !done) return Fault(done.error());
+    if (!row.report.empty()) {
+        statements_->report.bind(1, *run).bind(2, row.report);
+        if (const auto done = statements_->report.run(); !done) return Fault(done.error());
+    }
+    return run;
+}
+
+SqlDone Results::add_inputs(std::int64_t run, const RunRow& row) {
+    for (const ReadFile& file : row.files) {
+        statements_->input.bind(1, file.name).bind(2, file.sha256);
+        const auto input = number_of(statements_->input);
+        if (!input) return Fault(input.error());
+        statements_->run_input.bind(1, run).bind(2, *input);
+        if (const auto done = statements_->run_input.run(); !done) return done;
+    }
+    return {};
+}
+
+SqlDone Results::note(std::uint64_t job, std::int64_t run, bool reused) {
+    statements_->note.bind(1, batch_).bind(2, as_whole(job)).bind(3, run).bind(4, std::int64_t{reused});
+    return statements_->note.run();
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,121 @@
+#include "batch/store/sqlite.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+namespace gsim::batch {
+
+namespace {
+
+constexpr int kBusy_ms = 10'000;
+
+int length_of(std::string_view text) {
+    return static_cast<int>(text.size());
+}
+
+}  // namespace
+
+void Statement::Close::operator()(sqlite3_stmt* statement) const {
+    sqlite3_finalize(statement);
+}
+
+void Database::Close::operator()(sqlite3* database) const {
+    sqlite3_close(database);
+}
+
+Statement& Statement::bind(int parameter, std::string_view text) {
+    // An empty view may have no place, which SQLite would take for NULL.
+    const char* place = text.data() == nullptr ? "" : text.data();
+    sqlite3_bind_text(statement_.get(), parameter, place, length_of(text), SQLITE_TRANSIENT);
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::int64_t number) {
+    sqlite3_bind_int64(statement_.get(), parameter, number);
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::optional<double> number) {
+    if (!number) return bind_null(parameter);
+    sqlite3_bind_double(statement_.get(), parameter, *number);
+    return *this;
+}
+
+Statement& Statement::bind_null(int parameter) {
+    sqlite3_bind_null(statement_.get(), parameter);
+    return *this;
+}
+
+tl::expected<bool, std::string> Statement::step() {
+    const int status = sqlite3_step(statement_.get());
+    if (status == SQLITE_ROW) return true;
+    const std::string said = sqlite3_errmsg(database_);
+    sqlite3_reset(statement_.get());
+    if (status == SQLITE_DONE) return false;
+    return tl::unexpected(said);
+}
+
+SqlDone Statement::run() {
+    while (true) {
+        const auto row = step();
+        if (!row) return tl::unexpected(row.error());
+        if (!*row) return {};
+    }
+}
+
+int Statement::columns() const {
+    return sqlite3_column_count(statement_.get());
+}
+
+std::string Statement::name(int column) const {
+    return sqlite3_column_name(statement_.get(), column);
+}
+
+bool Statement::is_null(int column) const {
+    return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+bool Statement::is_number(int column) const {
+    const int type = sqlite3_column_type(statement_.get(), column);
+    return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+}
+
+std::string_view Statement::text(int column) const {
+    const auto* bytes = sqlite3_column_blob(statement_.get(), column);
+    const int count = sqlite3_column_bytes(statement_.get(), column);
+    return {static_cast<const char*>(bytes), static_cast<std::size_t>(count)};
+}
+
+std::int64_t Statement::whole(int column) const {
+    return sqlite3_column_int64(statement_.get(), column);
+}
+
+double Statement::number(int column) const {
+    return sqlite3_column_double(statement_.get(), column);
+}
+
+tl::expected<Database, std::string> Database::open(const std::string& file, bool for_reading) {
+    sqlite3* opened = nullptr;
+    const int flags = for_reading ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    const int status = sqlite3_open_v2(file.c_str(), &opened, flags, nullptr);
+    Database database(opened);
+    if (status != SQLITE_OK)
+        return tl::unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));
+    sqlite3_busy_timeout(opened, kBusy_ms);
+    return database;
+}
+
+SqlDone Database::execute(const std::string& sql) {
+    if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
+    return tl::unexpected<std::string>(sqlite3_errmsg(database_.get()));
+}
+
+tl::expected<Statement, std::string> Database::prepare(std::string_view sql) {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v3(database_.get(), sql.data(), length_of(sql), SQLITE_PREPARE_PERSISTENT, &statement,
+                           nullptr) != SQLITE_OK)
+        return tl::unexpected<std::string>(sqlite3_errmsg(database_.get()));
+    return Statement(database_.get(), statement);
+}
+
+}  // namespace gsim::batch

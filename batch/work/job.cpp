@@ -1,0 +1,47 @@
+#include "batch/work/job.h"
+
+#include <fmt/format.h>
+
+namespace gsim::batch {
+
+using nlohmann::json;
+
+std::string print_job(const Job& job) {
+    json settings = json::array();
+    for (const SettingValue& setting : job.settings)
+        settings.push_back({setting.key, setting.value, setting.is_factor});
+    return json{{"number", job.number},   {"program", job.program}, {"machine", job.machine},
+                {"options", job.options}, {"settings", settings},   {"report", job.keeps_report}}
+        .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+tl::expected<Job, std::string> read_job(std::string_view line) {
+    try {
+        const json read = json::parse(line);
+        Job job{.number = read.at("number"),
+                .program = read.at("program"),
+                .machine = read.at("machine"),
+                .options = read.at("options"),
+                .settings = {},
+                .keeps_report = read.at("report")};
+        for (const json& setting : read.at("settings"))
+            job.settings.push_back({setting.at(0), setting.at(1), setting.at(2)});
+        return job;
+    } catch (const json::exception& error) {
+        return tl::unexpected(fmt::format("no job: {}", error.what()));
+    }
+}
+
+nlohmann::ordered_json settings_json(const std::vector<SettingValue>& settings) {
+    nlohmann::ordered_json text = nlohmann::ordered_json::object();
+    for (const SettingValue& setting : settings) {
+        if (setting.is_factor) {
+            text[setting.key] = "x " + setting.value.dump();
+        } else {
+            text[setting.key] = setting.value;
+        }
+    }
+    return text;
+}
+
+}  // namespace gsim::batch

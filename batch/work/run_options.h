@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "engine/request.h"
+
+namespace gsim::batch {
+
+/// Something that a run may be told beside its program, its machine and its settings.
+struct RunOption {
+    enum class Kind { text, file, flag, number, count };
+
+    const char* name;
+    Kind kind;
+    const char* meaning;
+    void (*set)(engine::Request& request, const nlohmann::json& value);  ///< Of a value of this kind.
+};
+
+/// All of them, as gsim-run has them.
+std::span<const RunOption> run_options();
+/// Null where there is none of this name.
+const RunOption* find_option(std::string_view name);
+
+/// Whether a value is what the option takes; the error is a sentence.
+tl::expected<void, std::string> check_option(std::string_view name, const nlohmann::json& value);
+/// Puts one into a request. The error is that of check_option().
+tl::expected<void, std::string> set_option(engine::Request& request, std::string_view name,
+                                           const nlohmann::json& value);
+
+}  // namespace gsim::batch

@@ -1,0 +1,78 @@
+#include "batch/work/run_row.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace gsim::batch {
+
+using nlohmann::json;
+
+namespace {
+
+json optional_json(std::optional<double> value) {
+    return value ? json(*value) : json();
+}
+
+std::optional<double> optional_in(const json& value) {
+    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+/// Calls `take(name, member)` for each member that is a text, a number or a count.
+template <typename Row, typename Take>
+void for_each_plain(Row& row, const Take& take) {
+    take("number", row.number);
+    take("status", row.status);
+    take("cause", row.cause);
+    take("message", row.message);
+    take("file", row.file);
+    take("line", row.line);
+    take("machine", row.machine);
+    take("controller", row.controller);
+    take("cycle_time_s", row.cycle_time_s);
+    take("rapid_s", row.rapid_s);
+    take("feed_s", row.feed_s);
+    take("dwell_s", row.dwell_s);
+    take("rapid_mm", row.rapid_mm);
+    take("feed_mm", row.feed_mm);
+    take("jet_on_mm", row.jet_on_mm);
+    take("blocks", row.blocks);
+    take("moves", row.moves);
+    take("violations", row.violations);
+    take("collisions", row.collisions);
+    take("process_findings", row.process_findings);
+    take("warnings", row.warnings);
+    take("extents", row.extents);
+    take("findings", row.findings);
+    take("cpu_s", row.cpu_s);
+    take("report", row.report);
+}
+
+}  // namespace
+
+std::string print_row(const RunRow& row) {
+    json line = json::object();
+    for_each_plain(row, [&](const char* name, const auto& value) { line[name] = value; });
+    line["least_s"] = optional_json(row.least_s);
+    line["most_s"] = optional_json(row.most_s);
+    line["energy_j"] = optional_json(row.energy_j);
+    json& files = line["files"] = json::array();
+    for (const ReadFile& file : row.files) files.push_back({file.name, file.sha256});
+    return line.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+tl::expected<RunRow, std::string> read_row(std::string_view line) {
+    try {
+        const json read = json::parse(line);
+        RunRow row;
+        for_each_plain(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
+        row.least_s = optional_in(read.at("least_s"));
+        row.most_s = optional_in(read.at("most_s"));
+        row.energy_j = optional_in(read.at("energy_j"));
+        for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
+        return row;
+    } catch (const json::exception& error) {
+        return tl::unexpected(fmt::format("no row of a run: {}", error.what()));
+    }
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,70 @@
+#include "batch/work/worker.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "base/os/confinement.h"
+#include "base/os/installation.h"
+#include "batch/work/run_job.h"
+
+namespace gsim::batch {
+
+namespace {
+
+// Nothing is unwound: destructors may need memory, too.
+[[noreturn]] void end_without_memory() {
+    ::_exit(kOutOfMemory);
+}
+
+void bound_memory([[maybe_unused]] std::uint64_t memory_mb) {
+    std::set_new_handler(end_without_memory);
+#ifndef GSIM_SANITIZES_ADDRESSES  // that takes all addresses that there are
+    const rlimit bound{memory_mb << 20U, memory_mb << 20U};
+    ::setrlimit(RLIMIT_DATA, &bound);
+#endif
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+}
+
+/// Programs and scripts come from anywhere: whatever they do, no file is changed. Without landlock there is
+/// the engine's own care alone.
+void confine_to_reading() {
+    static_cast<void>(os::confine({.read = {"/"},
+                                   .run = {"/usr", "/lib", "/lib64", os::program_folder()},
+                                   .written = {},
+                                   .changed = {}}));
+}
+
+bool answer(const RunRow& row) {
+    const std::string line = print_row(row) + '\n';
+    return std::fwrite(line.data(), 1, line.size(), stdout) == line.size() && std::fflush(stdout) == 0;
+}
+
+}  // namespace
+
+int work(std::uint64_t memory_mb) {
+    // Whoever gives the jobs may be killed: nobody is left behind.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    bound_memory(memory_mb);
+    confine_to_reading();
+    JobRunner runner;
+    for (std::string line; std::getline(std::cin, line);) {
+        const auto job = read_job(line);
+        if (!job) {
+            std::fprintf(stderr, "gsim-batch: %s\n", job.error().c_str());
+            return 2;
+        }
+        if (!answer(runner.run(*job))) return 2;  // nobody listens
+    }
+    return 0;
+}
+
+}  // namespace gsim::batch
