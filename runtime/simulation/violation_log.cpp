@@ -21,21 +21,26 @@ std::string remedy_text(const Violations& violations) {
     return shifts + " would bring the whole program within the limits";
 }
 
+// What is not listed needs no time, and would wait for long where moves are of no length (probes that touch).
 void ViolationLog::add_before(rrs::TargetId id, Violation violation) {
+    if (moves_ + waiting_.size() >= kMostViolations) return count(violation);
     waiting_.push_back({id, std::move(violation)});
 }
 
 void ViolationLog::add(Violation violation) {
+    count(violation);
+    list_.push_back(std::move(violation));
+}
+
+void ViolationLog::count(const Violation& violation) {
     ++count_;
     needs_.add(violation);
-    list_.push_back(std::move(violation));
 }
 
 void ViolationLog::put(Violation violation, double t_s) {
     violation.t_s = t_s;
-    if (moves_++ < kMostViolations) return add(std::move(violation));
-    ++count_;
-    needs_.add(violation);
+    ++moves_;
+    add(std::move(violation));
 }
 
 // A controller may pass a move over that is too short for its steps: its time is that of the next one.

@@ -31,12 +31,13 @@ class ViolationLog final : public RunOutput {
         Violation violation;
     };
 
+    void count(const Violation& violation);
     void put(Violation violation, double t_s);
 
-    std::deque<Waiting> waiting_;  ///< In the order of their ids.
+    std::deque<Waiting> waiting_;  ///< In the order of their ids; with moves_ kMostViolations at most.
     std::vector<Violation> list_;
     std::uint64_t count_ = 0;
-    std::uint64_t moves_ = 0;  ///< Of count_, those of moves.
+    std::uint64_t moves_ = 0;  ///< Of list_, those of moves.
     OffsetNeeds needs_;
 };
 
