@@ -40,7 +40,7 @@ tl::expected<Names, std::string> files_below(const fs::path& folder, const auto&
         const bool hidden = entry->path().filename().string().starts_with('.');
         if (hidden && entry->is_directory()) entry.disable_recursion_pending();
         if (!hidden && entry->is_regular_file() && wanted(entry->path()))
-            found.push_back(entry->path().string());
+            found.push_back(entry->path().lexically_normal().string());
     }
     if (error) return Fault(fmt::format("cannot read '{}': {}", folder.string(), error.message()));
     std::sort(found.begin(), found.end());
@@ -52,26 +52,22 @@ bool is_meant(const std::string& name, const std::string& pattern) {
     const std::size_t any = pattern.find("**/");
     if (any == std::string::npos) return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME) == 0;
     const std::string head = pattern.substr(0, any), tail = pattern.substr(any + 3);
-    if (!name.starts_with(head) && !is_pattern(head)) return false;
-    for (std::size_t slash = any; slash != std::string::npos && slash <= name.size();) {
-        const bool begins = ::fnmatch(head.c_str(), name.substr(0, slash).c_str(), FNM_PATHNAME) == 0;
-        if (begins && is_meant(name.substr(slash), tail)) return true;
-        const std::size_t next = name.find('/', slash);
-        slash = next == std::string::npos ? next : next + 1;
+    bool begins = head.empty();
+    for (std::size_t at = 0; at != std::string::npos;) {
+        begins = begins || ::fnmatch(head.c_str(), name.substr(0, at).c_str(), FNM_PATHNAME) == 0;
+        if (begins && is_meant(name.substr(at), tail)) return true;
+        const std::size_t slash = name.find('/', at);
+        at = slash == std::string::npos ? slash : slash + 1;
     }
     return false;
 }
 
 tl::expected<Names, std::string> matches(const std::string& pattern) {
-    const std::size_t first = pattern.find_first_of("*?[");
-    const std::size_t slash = pattern.rfind('/', first);
+    const std::size_t slash = pattern.rfind('/', pattern.find_first_of("*?["));
     const fs::path folder = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
-    const std::string whole = slash == std::string::npos ? "./" + pattern : pattern;
-    auto found = files_below(folder, [&](const fs::path& file) { return is_meant(file.string(), whole); });
-    if (found && slash == std::string::npos) {
-        for (std::string& name : *found) name.erase(0, 2);
-    }
-    return found;
+    return files_below(folder, [whole = fs::path(pattern).lexically_normal().string()](const fs::path& file) {
+        return is_meant(file.lexically_normal().string(), whole);
+    });
 }
 
 }  // namespace

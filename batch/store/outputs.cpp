@@ -50,8 +50,9 @@ bool is_json(const std::string& column) {
 
 json value_in(const Statement& row, int column) {
     if (row.is_null(column)) return {};
+    if (row.is_whole(column)) return row.whole(column);
+    if (row.is_number(column)) return row.number(column);
     const std::string text(row.text(column));
-    if (row.is_number(column)) return json::parse(text);
     if (!is_json(row.name(column))) return text;
     json value = json::parse(text, nullptr, false);
     return value.is_discarded() ? json(text) : value;
@@ -124,7 +125,9 @@ SqlDone write_csv(Database& results, std::string_view query, const Sink& sink) {
         std::vector<std::string> names, cells;
         for (int column = 0; column < row.columns(); ++column) {
             names.push_back(quoted_csv(row.name(column)));
-            cells.push_back(quoted_csv(row.text(column)));
+            // As text SQLite has no more than 15 digits.
+            cells.push_back(row.is_number(column) ? fmt::format("{}", row.number(column))
+                                                  : quoted_csv(row.text(column)));
         }
         if (!headed && !sink(line_of(names))) return false;
         headed = true;

@@ -75,9 +75,12 @@ bool Statement::is_null(int column) const {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
+bool Statement::is_whole(int column) const {
+    return sqlite3_column_type(statement_.get(), column) == SQLITE_INTEGER;
+}
+
 bool Statement::is_number(int column) const {
-    const int type = sqlite3_column_type(statement_.get(), column);
-    return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+    return sqlite3_column_type(statement_.get(), column) == SQLITE_FLOAT;
 }
 
 std::string_view Statement::text(int column) const {

@@ -36,7 +36,8 @@ class Statement {
     int columns() const;
     std::string name(int column) const;
     bool is_null(int column) const;
-    bool is_number(int column) const;
+    bool is_whole(int column) const;          ///< A whole number.
+    bool is_number(int column) const;         ///< Any other number.
     std::string_view text(int column) const;  ///< Until the next step.
     std::int64_t whole(int column) const;
     double number(int column) const;

@@ -1,0 +1,226 @@
+// gsim-batch as people run it: twice, with a change in between, cut off, with programs that are wrong.
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "base/os/spawn.h"
+#include "batch/store/sqlite.h"
+#include "tests/apps/run_program.h"
+
+namespace gsim::batch::batch_program_test {
+namespace {
+
+using apps::Ended;
+using nlohmann::json;
+using testing::HasSubstr;
+
+class BatchProgram : public apps::Apps {
+  protected:
+    Ended batch(const std::vector<std::string>& words) const {
+        return apps::run_program(GSIM_BATCH, words, folder_);
+    }
+
+    /// The one number that a query comes to.
+    double number(const std::string& query, const std::string& file = "gsim-batch.sqlite") const {
+        auto results = Database::open((folder_ / file).string(), true);
+        EXPECT_TRUE(results) << results.error();
+        auto asked = results->prepare(query);
+        EXPECT_TRUE(asked) << asked.error();
+        EXPECT_TRUE(asked->step().value_or(false)) << query;
+        return asked->number(0);
+    }
+
+    void write_programs(int count) const {
+        for (int i = 0; i < count; ++i)
+            write(fmt::format("p{}.ngc", i), fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", 10 + i));
+    }
+};
+
+constexpr const char* kSlide = R"([machine]
+name = "slide"
+[program]
+dialect = "rs274ngc"
+[[axis]]
+letter = "X"
+kind = "linear"
+max_mm = 1000.0
+max_speed_mm_s = 100.0
+max_acceleration_mm_s2 = 1000.0
+direction = "x"
+)";
+
+/// From rest to rest over a way at a feed of 10 mm/s, with 1000 mm/s2.
+double time_s(double way_mm, double feed_mm_s = 10, double acceleration_mm_s2 = 1000) {
+    return way_mm / feed_mm_s + feed_mm_s / acceleration_mm_s2;
+}
+
+TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
+    write("m.toml", kSlide);
+    write_programs(12);
+    const Ended first = batch({"--machine", "m.toml", ".", "--csv", "runs.csv", "--reports"});
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.err, HasSubstr("12 of 12 jobs: 12 run"));
+    EXPECT_EQ(number("SELECT count(*) FROM clean"), 12);
+    for (const int i : {0, 5, 11}) {
+        EXPECT_NEAR(number(fmt::format("SELECT cycle_time_s FROM latest WHERE program LIKE '%p{}.ngc'", i)),
+                    time_s(10 + i), 1e-9);
+        const Ended alone = gsim_run({"--machine", "m.toml", "--json", fmt::format("p{}.ngc", i)});
+        auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
+        auto kept = results->prepare(fmt::format(
+            "SELECT json FROM report JOIN run ON run.id = report.run WHERE program LIKE '%p{}.ngc'", i));
+        ASSERT_TRUE(kept->step().value_or(false));
+        json of_batch = json::parse(std::string(kept->text(0))), by_itself = json::parse(alone.out);
+        for (json* report : {&of_batch, &by_itself}) report->erase("program");
+        EXPECT_EQ(of_batch, by_itself);
+    }
+    EXPECT_THAT(read("runs.csv"), HasSubstr("job,program,machine"));
+}
+
+TEST_F(BatchProgram, RunsNothingTwiceAndWhatHasChangedAlone) {
+    write("m.toml", kSlide);
+    write_programs(6);
+    write("o100.ngc", "o<o100> sub\nG1 X5\no<o100> endsub\n");
+    write("calls.ngc", "G21 G90 G94 F600\no<o100> call\nM2\n");
+    const std::vector<std::string> words{"--machine", "m.toml", "p0.ngc",   "p1.ngc",
+                                         "p2.ngc",    "p3.ngc", "calls.ngc"};
+    ASSERT_EQ(batch(words).status, 0) << batch(words).err;
+    EXPECT_THAT(batch(words).err, HasSubstr("5 of 5 jobs: 0 run"));
+    write("p1.ngc", "G21 G90 G94 F600\nG1 X500\nM2\n");
+    EXPECT_THAT(batch(words).err, HasSubstr("1 run"));
+    EXPECT_NEAR(number("SELECT cycle_time_s FROM latest WHERE program LIKE '%p1.ngc'"), time_s(500), 1e-9);
+    // What a program calls counts as well: it is known from the run before.
+    write("o100.ngc", "o<o100> sub\nG1 X25\no<o100> endsub\n");
+    EXPECT_THAT(batch(words).err, HasSubstr("1 run"));
+    EXPECT_NEAR(number("SELECT cycle_time_s FROM latest WHERE program LIKE '%calls.ngc'"), time_s(25), 1e-9);
+    write("m.toml", std::string(kSlide) + "# another text\n");
+    EXPECT_THAT(batch(words).err, HasSubstr("5 run"));
+    EXPECT_EQ(number("SELECT count(*) FROM batch"), 5);
+    EXPECT_EQ(number("SELECT count(*) FROM run"), 12);
+}
+
+TEST_F(BatchProgram, SettingsChangeMachineDataAndOptions) {
+    write("m.toml", kSlide);
+    write_programs(1);
+    write("plan.toml", R"(programs = "p0.ngc"
+machines = ["m.toml"]
+[[setting]]
+key = "machine.axis.X.max_acceleration_mm_s2"
+values = [0.5, 1.0, 2.0]
+scale = true
+[[setting]]
+key = "option.feed_override_percent"
+values = [50, 100]
+)");
+    ASSERT_EQ(batch({"plan.toml"}).status, 0) << batch({"plan.toml"}).err;
+    for (const double factor : {0.5, 1.0, 2.0}) {
+        for (const int percent : {50, 100})
+            EXPECT_NEAR(
+                number(fmt::format(
+                    "SELECT cycle_time_s FROM latest JOIN setting s ON s.run = latest.id AND s.name = "
+                    "'machine.axis.X.max_acceleration_mm_s2' AND s.value = {} JOIN setting o ON o.run = "
+                    "latest.id "
+                    "AND o.name = 'option.feed_override_percent' AND o.value = {}",
+                    factor, percent)),
+                time_s(10, percent / 10.0, 1000 * factor), 1e-9);
+    }
+}
+
+TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
+    write("m.toml", kSlide);
+    write("good.ngc", "G21 F600\nG1 X10\nM2\n");
+    write("far.ngc", "G21 F600\nG1 X5000\nM2\n");
+    write("wrong.ngc", "G21 F600\nG1 X[\nM2\n");
+    write("endless.ngc", "G21 F600\no1 while [1]\nG1 X10\nG1 X0\no1 endwhile\nM2\n");
+    write("empty.ngc", "");
+    write("broken.toml", "[machine\n");
+    const Ended ended = batch({"--machine", "m.toml", "--machine", "broken.toml", ".", "--timeout", "1", "-j",
+                               "2", "--junit", "t.xml"});
+    EXPECT_EQ(ended.status, 1) << ended.err;
+    const auto status = [&](const std::string& program) {
+        auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
+        auto asked = results->prepare(
+            "SELECT status || ' ' || cause FROM latest WHERE machine = 'm.toml' AND program LIKE '%" +
+            program + "'");
+        EXPECT_TRUE(asked->step().value_or(false)) << program;
+        return std::string(asked->text(0));
+    };
+    EXPECT_EQ(status("good.ngc"), "completed ");
+    EXPECT_EQ(status("far.ngc"), "violations axis-limit");
+    EXPECT_THAT(status("wrong.ngc"), HasSubstr("refused"));
+    EXPECT_EQ(status("endless.ngc"), "timeout timeout");
+    EXPECT_EQ(number("SELECT count(*) FROM latest WHERE machine = 'broken.toml' AND status = 'refused'"), 5);
+    EXPECT_THAT(read("t.xml"), HasSubstr("<testsuite name=\"broken.toml\" tests=\"5\" failures=\"5\">"));
+}
+
+// Killed in its middle, as by a power cut: what was there stays, the same command goes on.
+TEST_F(BatchProgram, GoesOnWhereItWasCutOff) {
+    write("m.toml", kSlide);
+    write_programs(3);
+    write("plan.toml", R"(programs = ["p0.ngc", "p1.ngc", "p2.ngc"]
+machines = ["m.toml"]
+[[setting]]
+key = "machine.axis.X.max_speed_mm_s"
+from = 50
+to = 100
+steps = 1000
+)");
+    const auto spawn = [&](int signal, std::chrono::milliseconds after) {
+        os::SpawnActions actions;
+        actions.redirect(2, 1);
+        const std::string command =
+            fmt::format("cd '{}' && exec {} plan.toml -q", folder_.string(), GSIM_BATCH);
+        const auto child = os::spawn({"/bin/sh", "-c", command}, actions);
+        ASSERT_TRUE(child);
+        std::this_thread::sleep_for(after);
+        ::kill(*child, signal);
+        os::wait_for(*child);
+    };
+    spawn(SIGKILL, std::chrono::milliseconds(1500));
+    const double killed = number("SELECT count(*) FROM run");
+    spawn(SIGTERM, std::chrono::milliseconds(1500));
+    const double asked = number("SELECT count(*) FROM run");
+    EXPECT_GE(asked, killed);
+    const Ended rest = batch({"plan.toml"});
+    EXPECT_EQ(rest.status, 0) << rest.err;
+    EXPECT_EQ(number("SELECT count(*) FROM run"), 3000) << "none lost, none twice";
+    EXPECT_EQ(number("SELECT count(DISTINCT key) FROM run"), 3000);
+    EXPECT_EQ(number("SELECT count(*) FROM latest"), 3000);
+    EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("0 run"));
+}
+
+TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
+    write("plan.toml", "programs = 1\n");
+    EXPECT_EQ(batch({"plan.toml"}).status, 2);
+    EXPECT_EQ(batch({"none.ngc"}).status, 2);
+    EXPECT_EQ(batch({}).status, 2) << "there are no results yet";
+    EXPECT_EQ(batch({"--no-such"}).status, 2);
+    write("p.ngc", "M2\n");
+    EXPECT_THAT(batch({"plan.toml", "--machine", "m.toml"}).err, HasSubstr("a plan says itself"));
+    EXPECT_THAT(batch({"p.ngc", "--results", "p.ngc"}).err, HasSubstr("p.ngc"));
+    EXPECT_EQ(read("p.ngc"), "M2\n");
+}
+
+#ifndef GSIM_SANITIZED  // which takes all addresses that there are
+TEST_F(BatchProgram, MemoryIsBounded) {
+    write("good.ngc", "G21 F600\nG1 X10\nM2\n");
+    write("m.toml", kSlide);
+    // Numbers of a list that grows, in a script.
+    write("large.lua", "local t = {}\nfor i = 1, 1000 do t[i] = string.rep(tostring(i), 1000000) end\n");
+    const Ended ended =
+        batch({"--machine", "m.toml", "good.ngc", "large.lua", "--memory-mb", "256", "-j", "1"});
+    EXPECT_EQ(ended.status, 1) << ended.err;
+    EXPECT_EQ(number("SELECT count(*) FROM latest WHERE status = 'completed'"), 1);
+    EXPECT_EQ(number("SELECT count(*) FROM latest WHERE program = 'large.lua' AND (status = 'memory' OR "
+                     "cause LIKE '%memory%' OR message LIKE '%memory%')"),
+              1);
+}
+#endif
+
+}  // namespace
+}  // namespace gsim::batch::batch_program_test

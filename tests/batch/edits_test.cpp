@@ -1,0 +1,72 @@
+#include "batch/work/edits.h"
+
+#include <gmock/gmock.h>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::batch::edits_test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kMachine = R"([machine]
+name = "slide"  # of ours
+[[axis]]
+letter = "X"
+kind = "linear"
+max_speed_mm_s = 100.0
+[[axis]]
+letter = "Y"
+kind = "linear"
+max_speed_mm_s = 50
+[[mass]]
+on = "Y"
+mass_kg = 12.0
+)";
+
+std::string edited(const std::string& key, const nlohmann::json& value, bool is_factor = false) {
+    const SettingValue setting{key, value, is_factor};
+    const auto text = edited_toml(kMachine, "m.toml", {&setting, 1});
+    return text ? *text : "error: " + text.error();
+}
+
+TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
+    EXPECT_THAT(edited("axis.Y.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75\n"));
+    EXPECT_THAT(edited("axis.0.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75.0\n"));
+    EXPECT_THAT(edited("mass.Y.mass_kg", 9.5), HasSubstr("mass_kg = 9.5\n"));
+    EXPECT_THAT(edited("axis.X.max_speed_mm_s", 1.5, true), HasSubstr("max_speed_mm_s = 150.0\n"));
+    EXPECT_THAT(edited("machine.name", "other"), HasSubstr("name = \"other\"  # of ours\n"));
+    EXPECT_THAT(edited("controller.model", "ab9"), HasSubstr("[controller]\nmodel = \"ab9\"\n"));
+}
+
+TEST(EditedToml, SaysWhatIsNotThere) {
+    EXPECT_THAT(edited("axis.Q.max_speed_mm_s", 75),
+                HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': there is no 'Q'"));
+    EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75), HasSubstr("there is no '7'"));
+    EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("nothing is below"));
+    EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, true), HasSubstr("a factor needs a number in the file"));
+    EXPECT_THAT(edited("machine.name", 2, true), HasSubstr("a factor needs a number in the file"));
+}
+
+TEST(EditedData, ChangesAnEntry) {
+    const std::string data = "NCFILE\nOFFSET\n54 100 200 0\nENDFILE\n";
+    const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5, false}, {"OFFSET.54.Z", -3, false}};
+    const auto text = edited_data(data, "d.txt", settings);
+    ASSERT_TRUE(text) << text.error();
+    EXPECT_THAT(*text, HasSubstr("101.5"));
+    EXPECT_THAT(*text, HasSubstr("-3"));
+    const SettingValue none{"OFFSET.54.Q", 1, false};
+    EXPECT_FALSE(edited_data(data, "d.txt", {&none, 1}));
+}
+
+TEST(SettingKey, IsOfAFileOrOfTheRun) {
+    EXPECT_EQ(fault_of_key("machine.axis.X.max_mm"), "");
+    EXPECT_EQ(fault_of_key("data.OFFSET.54.X"), "");
+    EXPECT_THAT(fault_of_key("axis.X.max_mm"), HasSubstr("should begin with 'machine.'"));
+    EXPECT_THAT(fault_of_key("machine.axis..max_mm"), HasSubstr("empty name"));
+    EXPECT_THAT(fault_of_key("data.OFFSET.54"), HasSubstr("data.SECTION.ID.FIELD"));
+    EXPECT_THAT(fault_of_key("option.a.b"), HasSubstr("no option"));
+}
+
+}  // namespace
+}  // namespace gsim::batch::edits_test

@@ -1,0 +1,135 @@
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "batch/plan/plan.h"
+
+namespace gsim::batch::plan_file_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+class PlanFile : public testing::Test {
+  protected:
+    PlanFile() {
+        for (const char* name :
+             {"p/a.nc", "p/b.NGC", "p/deep/c.tap", "p/notes.txt", "p/.hidden/d.nc", "m.toml"}) {
+            fs::create_directories((folder_ / name).parent_path());
+            std::ofstream(folder_ / name) << "M2\n";
+        }
+    }
+    ~PlanFile() override { fs::remove_all(folder_); }
+
+    tl::expected<Plan, std::string> read(const std::string& text) const {
+        return read_plan(text, (folder_ / "plan.toml").string());
+    }
+    std::string refusal(const std::string& text) const {
+        const auto plan = read(text);
+        return plan ? "" : plan.error();
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / ("gsim-plan-" + std::to_string(::getpid()));
+};
+
+TEST_F(PlanFile, NamesFoldersFilesAndPatterns) {
+    const auto plan = read(R"(programs = ["p", "p/*.nc", "p/**/*.tap", "p/notes.txt"]
+machines = ["m.toml", "router3"]
+)");
+    ASSERT_TRUE(plan) << plan.error();
+    EXPECT_THAT(plan->programs,
+                ElementsAre(EndsWith("p/a.nc"), EndsWith("p/b.NGC"), EndsWith("p/deep/c.tap"),
+                            EndsWith("p/a.nc"), EndsWith("p/deep/c.tap"), EndsWith("p/notes.txt")));
+    EXPECT_THAT(plan->machines, ElementsAre(EndsWith("/m.toml"), "router3"));
+    EXPECT_EQ(Jobs(*plan).size(), 12U);
+}
+
+TEST_F(PlanFile, MakesAJobOfEachProgramMachineAndVariant) {
+    const auto plan = read(R"(programs = "p"
+machines = ["m.toml", "router3"]
+controllers = ["ab9", "blend"]
+reports = true
+[options]
+dialect = "rs274ngc"
+cell = "m.toml"
+[[setting]]
+key = "machine.axis.X.max_speed_mm_s"
+from = 100
+to = 300
+steps = 3
+)");
+    ASSERT_TRUE(plan) << plan.error();
+    const Jobs jobs(*plan);
+    ASSERT_EQ(jobs.size(), 3U * 2 * 2 * 3);
+    const Job job = jobs.job(7);
+    EXPECT_THAT(job.program, EndsWith("p/a.nc"));
+    EXPECT_EQ(job.machine, "router3");
+    EXPECT_EQ(settings_json(job.settings).dump(),
+              R"({"machine.axis.X.max_speed_mm_s":100.0,"machine.controller.model":"blend"})");
+    EXPECT_THAT(job.options.at("cell").get<std::string>(), EndsWith("/m.toml"));
+    EXPECT_TRUE(job.keeps_report);
+    const auto again = read_job(print_job(job));
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->settings, job.settings);
+    EXPECT_EQ(again->options, job.options);
+}
+
+TEST_F(PlanFile, SaysWhereItIsWrong) {
+    EXPECT_THAT(refusal("programs = ["), HasSubstr("plan.toml:1:"));
+    EXPECT_THAT(refusal("machines = [\"a\"]"), HasSubstr("lacks the key 'programs'"));
+    EXPECT_THAT(refusal("programs = \"q\""), HasSubstr("there is no such file or folder"));
+    EXPECT_THAT(refusal("programs = \"*.xyz\""), HasSubstr("nothing is called"));
+    EXPECT_THAT(refusal("programs = [1]"), HasSubstr("must be a list of texts"));
+    const std::string head = "programs = \"p\"\n";
+    EXPECT_THAT(refusal(head + "program = 1"), HasSubstr("did you mean 'programs'?"));
+    EXPECT_THAT(refusal(head + "[options]\ndialct = \"a\""), HasSubstr("did you mean 'dialect'?"));
+    EXPECT_THAT(refusal(head + "[options]\npasses = 1.5"), HasSubstr("'passes' must be a whole number"));
+    EXPECT_THAT(refusal(head + "[sampling]\nkind = \"sobol\""), HasSubstr("lacks the key 'runs'"));
+    const std::string setting = head + "[[setting]]\n";
+    EXPECT_THAT(refusal(setting + "key = \"axis.X\"\nvalues = [1]"), HasSubstr("should begin with"));
+    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nvalues = []"), HasSubstr("a list of one at least"));
+    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 0"), HasSubstr("must not be less"));
+    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 2"), HasSubstr("as a grid needs"));
+    EXPECT_THAT(refusal(setting + "key = \"machine.a\""), HasSubstr("has 'values', or 'from' and 'to'"));
+    EXPECT_THAT(refusal(setting + "key = \"option.passes\"\nvalues = [0]"),
+                HasSubstr("whole number from 1 on"));
+    EXPECT_THAT(refusal(setting + "key = \"option.x\"\nvalues = [0]"), HasSubstr("there is no option 'x'"));
+    EXPECT_THAT(refusal(setting + "key = \"data.OFFSET.54.X\"\nscale = true\nvalues = [2]"),
+                HasSubstr("factors are of"));
+}
+
+TEST_F(PlanFile, TakesDistributions) {
+    const auto plan = read(R"(programs = "p"
+[sampling]
+kind = "latin-hypercube"
+runs = 10
+[[setting]]
+key = "machine.a"
+distribution = "normal"
+mean = 5
+deviation = 1
+[[setting]]
+key = "machine.b"
+from = 0.9
+to = 1.1
+scale = true
+[[setting]]
+key = "machine.c"
+distribution = "triangular"
+from = 0
+to = 2
+mode = 0.5
+)");
+    ASSERT_TRUE(plan) << plan.error();
+    EXPECT_TRUE(std::holds_alternative<Normal>(plan->settings[0].domain));
+    EXPECT_TRUE(plan->settings[1].is_factor);
+    EXPECT_EQ(std::get<Triangular>(plan->settings[2].domain).mode, 0.5);
+    EXPECT_EQ(Jobs(*plan).size(), 30U);
+}
+
+}  // namespace
+}  // namespace gsim::batch::plan_file_test

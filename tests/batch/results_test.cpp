@@ -1,0 +1,168 @@
+#include "batch/store/results.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "batch/store/outputs.h"
+
+namespace gsim::batch::results_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ResultsFile : public testing::Test {
+  protected:
+    ResultsFile() { fs::create_directories(folder_); }
+    ~ResultsFile() override { fs::remove_all(folder_); }
+
+    std::string hash(const std::string& name) const {
+        const auto found = hashes_.find(name);
+        return found == hashes_.end() ? "" : found->second;
+    }
+    HashOf hash_of() const {
+        return [this](const std::string& name) { return hash(name); };
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / ("gsim-results-" + std::to_string(::getpid()));
+    std::string file_ = (folder_ / "r.sqlite").string();
+    std::map<std::string, std::string> hashes_{{"a.nc", "1"}, {"sub.nc", "2"}};
+};
+
+Job job_of(std::size_t number, const std::string& program) {
+    return {.number = number,
+            .program = program,
+            .machine = "m.toml",
+            .options = nlohmann::json::object(),
+            .settings = {{"machine.axis.X.max_mm", 250.5, false}, {"option.dialect", "ab9", false}}};
+}
+
+RunRow row_of(std::size_t number, const std::string& cause = {}) {
+    return {
+        .number = number,
+        .status = cause.empty() ? "completed" : "alarm",
+        .cause = cause,
+        .message = cause.empty() ? "" : "it says \"no\", <twice>",
+        .file = "a.nc",
+        .line = 3,
+        .cycle_time_s = 0.1 + 0.2,
+        .extents = "{}",
+        .findings =
+            R"([{"code":"axis-limit","column":null,"end_column":null,"file":"a.nc","hint":null,"line":3,"severity":"error","text":"too far"}])",
+        .files = {{"a.nc", "1"}, {"sub.nc", "2"}, {"gone.nc", ""}}};
+}
+
+std::string text_of(const std::string& file, SqlDone (*write)(Database&, const Sink&)) {
+    auto database = Database::open(file, true);
+    EXPECT_TRUE(database) << database.error();
+    std::string text;
+    const auto done = write(*database, [&](std::string_view piece) { return text.append(piece), true; });
+    EXPECT_TRUE(done) << done.error();
+    return text;
+}
+
+TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results) << results.error();
+    ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+    EXPECT_FALSE(results->find("k", hash_of(), false, false).value());
+    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
+    ASSERT_TRUE(run) << run.error();
+    ASSERT_TRUE(results->note(0, *run, false));
+    ASSERT_TRUE(results->end_batch(true));
+
+    ASSERT_TRUE(results->find("k", hash_of(), false, false).value());
+    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, *run);
+    EXPECT_FALSE(results->find("k", hash_of(), true, false).value()) << "it has no report";
+    EXPECT_FALSE(results->find("other", hash_of(), false, false).value());
+    hashes_["sub.nc"] = "3";
+    EXPECT_FALSE(results->find("k", hash_of(), false, false).value());
+    hashes_["sub.nc"] = "2";
+    EXPECT_TRUE(results->find("k", hash_of(), false, false).value());
+    hashes_["gone.nc"] = "9";
+    EXPECT_FALSE(results->find("k", hash_of(), false, false).value())
+        << "it was looked for, and now it is there";
+}
+
+TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results);
+    ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+    RunRow row = row_of(0);
+    row.status = row.cause = "crashed";
+    ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v"));
+    const auto found = results->find("k", hash_of(), false, false).value();
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->is_clean);
+    EXPECT_FALSE(results->find("k", hash_of(), false, true).value());
+    ASSERT_TRUE(results->end_batch(true));
+}
+
+TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results);
+    ASSERT_TRUE(results->begin_batch("plan.toml", 2, "v"));
+    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
+    ASSERT_TRUE(results->note(0, run.value(), false));
+    ASSERT_TRUE(results->commit());
+    ASSERT_TRUE(results->add(job_of(1, "b.nc"), {"l", "1", ""}, row_of(1), "v"));
+    auto reader = Database::open(file_, true);
+    ASSERT_TRUE(reader);
+    auto rows = reader->prepare(
+        "SELECT count(*), max(cycle_time_s), max(batch_run.job) FROM run JOIN batch_run ON run.id = run");
+    ASSERT_TRUE(rows) << rows.error();
+    ASSERT_TRUE(rows->step().value());
+    EXPECT_EQ(rows->whole(0), 1);
+    EXPECT_EQ(rows->number(1), 0.1 + 0.2) << "to the last bit";
+}
+
+TEST_F(ResultsFile, ComesOutInOtherForms) {
+    {
+        auto results = Results::open(file_);
+        ASSERT_TRUE(results);
+        ASSERT_TRUE(results->begin_batch("plan.toml", 2, "v"));
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto run = results->add(job_of(i, "a<b>&.nc"), {std::to_string(i), "1", ""},
+                                          row_of(i, i == 0 ? "" : "feed"), "v");
+            ASSERT_TRUE(results->note(i, run.value(), false));
+        }
+        ASSERT_TRUE(results->end_batch(true));
+    }
+    const std::string junit = text_of(file_, write_junit);
+    EXPECT_THAT(junit, HasSubstr("<testsuite name=\"m.toml\" tests=\"2\" failures=\"1\">"));
+    EXPECT_THAT(junit, HasSubstr("name=\"a&lt;b&gt;&amp;.nc {&quot;machine.axis.X.max_mm&quot;:250.5"));
+    EXPECT_THAT(
+        junit,
+        HasSubstr(
+            "<failure type=\"feed\" message=\"it says &quot;no&quot;, &lt;twice&gt;\">a.nc:3</failure>"));
+    const auto sarif = nlohmann::json::parse(text_of(file_, write_sarif));
+    EXPECT_EQ(sarif["runs"][0]["results"].size(), 1U) << "the same finding of two runs is one";
+    const std::string csv = text_of(file_, [](Database& from, const Sink& sink) {
+        return write_csv(from, "SELECT message, cycle_time_s FROM latest", sink);
+    });
+    EXPECT_EQ(csv,
+              "message,cycle_time_s\r\n,0.30000000000000004\r\n\"it says \"\"no\"\", "
+              "<twice>\",0.30000000000000004\r\n");
+    const std::string lines = text_of(
+        file_, [](Database& from, const Sink& sink) { return write_json_lines(from, kWholeRuns, sink); });
+    const auto first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
+    EXPECT_EQ(first["settings"]["machine.axis.X.max_mm"], 250.5);
+    EXPECT_EQ(first["cycle_time_s"], 0.1 + 0.2);
+}
+
+TEST_F(ResultsFile, OfAnotherKindIsRefused) {
+    std::ofstream(file_) << "no database, but long enough to be looked at as if it were one, with many words";
+    const auto text = Results::open(file_);
+    ASSERT_FALSE(text);
+    EXPECT_THAT(text.error(), HasSubstr("not a database"));
+    fs::remove(file_);
+    ASSERT_TRUE(Database::open(file_)->execute("CREATE TABLE mine (a)"));
+    EXPECT_THAT(Results::open(file_).error(), HasSubstr("no file of results"));
+}
+
+}  // namespace
+}  // namespace gsim::batch::results_test
