@@ -1,9 +1,11 @@
 // gsim-batch: many programs on many machines in many variants, into one file of results.
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,7 +21,8 @@
 #include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
-#include "batch/batch_run.h"
+#include "batch/run/batch_run.h"
+#include "batch/slurm/cluster_batch.h"
 #include "batch/store/outputs.h"
 #include "batch/work/worker.h"
 
@@ -40,9 +43,12 @@ struct Arguments {
     bool reports = false;
     std::string results = "gsim-batch.sqlite";
     std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
-    std::uint64_t memory_mb = 4096;
+    std::optional<double> memory_mb;
     double timeout_s = 600;
     bool retry = false;
+    bool slurm = false, status = false, cancel = false, wait = false;
+    std::string partition;
+    std::uint64_t shard_runs = 1000, task_workers = 1, time_limit_min = 0;
     std::string csv, json_lines, junit, sarif;
     bool quiet = false;
 };
@@ -82,15 +88,32 @@ void add_options(apps::CommandLine& line, Arguments& a) {
     line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
         .called("MB")
         .within(64, 1'000'000)
-        .shows_default();
+        .shows("4096; on a cluster no more than its nodes have");
     line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
         .called("SECONDS")
         .within(0.01, 1e6)
         .shows_default();
     line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    line.begin_group("On a cluster (Slurm)");
+    line.add("--slurm", &a.slurm,
+             "submit it: an array of tasks, each with a part of the runs in a file of its own beside the "
+             "results, and a "
+             "job that puts all together; what was lost of a batch before is all that the same command "
+             "submits again");
+    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
+    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
+    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
+        .within(1, 1024)
+        .shows_default();
+    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
+        .called("MINUTES");
+    line.add("--wait", &a.wait, "stay until all is put together");
+    line.add("--status", &a.status, "tell how far the batch is");
+    line.add("--cancel", &a.cancel, "end its tasks; what they have done is kept");
     line.add_example("gsim-batch --machine mine.toml --machine other.toml programs/",
                      "each program of a folder on two machines");
     line.add_example("gsim-batch plan.toml --results nightly.sqlite --junit nightly.xml", "what a plan says");
+    line.add_example("gsim-batch plan.toml --slurm --results /shared/study.sqlite", "on a cluster");
     line.add_example("gsim-batch --results nightly.sqlite --csv -", "the runs of the batch before, as CSV");
     line.add_example("sqlite3 nightly.sqlite 'SELECT * FROM causes'", "why runs fail, and how many");
 }
@@ -200,7 +223,12 @@ int refuse(const std::string& why) {
     return apps::kUsage;
 }
 
+std::uint64_t memory_mb_of(const Arguments& arguments) {
+    return static_cast<std::uint64_t>(arguments.memory_mb.value_or(4096));
+}
+
 int run_plan(const Arguments& arguments) {
+    if (const std::string why = why_not_here(arguments.results); !why.empty()) return refuse(why);
     const auto plan = plan_of(arguments);
     if (!plan) return refuse(plan.error());
     std::signal(SIGINT, ask_to_stop);
@@ -209,7 +237,7 @@ int run_plan(const Arguments& arguments) {
     const auto tally = run_batch(*plan,
                                  {.results = arguments.results,
                                   .workers = arguments.workers,
-                                  .memory_mb = arguments.memory_mb,
+                                  .memory_mb = memory_mb_of(arguments),
                                   .timeout_s = arguments.timeout_s,
                                   .retry = arguments.retry},
                                  stop_flag(), [&](const BatchTally& now) {
@@ -228,8 +256,62 @@ int run_plan(const Arguments& arguments) {
     return tally->failed > 0 ? apps::kProgramFault : apps::kDone;
 }
 
-int run(const std::vector<std::string>& words) {
+int told(const tl::expected<ClusterState, std::string>& state) {
+    if (!state) return refuse(state.error());
+    apps::print(to_text(*state) + '\n');
+    return state->lost > 0 ? apps::kProgramFault : apps::kDone;
+}
+
+/// Until nothing of the batch is in the queue.
+tl::expected<ClusterState, std::string> wait_for_cluster(const std::string& results) {
+    while (true) {
+        auto state = ask_state(results);
+        if (!state || state->is_over() || stop_flag()) return state;
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+}
+
+int submit_plan(const Arguments& arguments) {
+    const auto plan = plan_of(arguments);
+    if (!plan) return refuse(plan.error());
+    ClusterOptions options{.results = arguments.results,
+                           .partition = arguments.partition,
+                           .shard_runs = arguments.shard_runs,
+                           .workers = arguments.task_workers,
+                           .time_limit_min = arguments.time_limit_min,
+                           .timeout_s = arguments.timeout_s,
+                           .retry = arguments.retry};
+    if (arguments.memory_mb) options.memory_mb = memory_mb_of(arguments);
+    auto state = submit(*plan, options);
+    if (!state || !arguments.wait || state->shards == 0) return told(state);
+    std::signal(SIGINT, ask_to_stop);
+    const int status = told(wait_for_cluster(arguments.results));
+    const Done done = write_outputs(arguments);
+    return done ? status : refuse(done.error());
+}
+
+/// What tasks of a cluster call this program for; nothing: it is called by people.
+std::optional<int> run_task(const std::vector<std::string>& words) {
     if (words.size() == 2 && words.front() == kWorkerWord) return work(std::stoull(words.back()));
+    const auto ended = [](const tl::expected<bool, std::string>& whole) {
+        if (!whole) return refuse(whole.error());
+        return *whole ? apps::kDone : apps::kProgramFault;
+    };
+    if (words.size() == 3 && words.front() == kShardWord) {
+        std::signal(SIGTERM, ask_to_stop);
+        return ended(run_shard(words[1], std::stoull(words[2]), stop_flag()));
+    }
+    if (words.size() == 2 && words.front() == kGatherWord) {
+        return ended(gather(words[1]).map([](const Gathered& gathered) {
+            for (const std::string& fault : gathered.faults) refuse(fault);
+            return gathered.whole;
+        }));
+    }
+    return std::nullopt;
+}
+
+int run(const std::vector<std::string>& words) {
+    if (const auto status = run_task(words)) return *status;
     Arguments arguments;
     apps::CommandLine line(
         kName,
@@ -243,7 +325,9 @@ int run(const std::vector<std::string>& words) {
     if (!parsed) return refuse(parsed.error());
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
-    if (!arguments.inputs.empty()) return run_plan(arguments);
+    if (arguments.status) return told(ask_state(arguments.results));
+    if (arguments.cancel) return told(cancel(arguments.results));
+    if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
     const Done done = write_outputs(arguments);
     return done ? apps::kDone : refuse(done.error());
 }

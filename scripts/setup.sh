@@ -2,8 +2,8 @@
 # Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
 # clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), studio (the page: node and npm where there are none, since Debian's npm does not go together with a
 # newer node), browser (Chromium, in which the page is tried), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
-# without it, too), calibrate (Ceres, for gsim-calibrate; nothing else needs it), site (the documentation as pages), package (makes packages and tries them).
-# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [calibrate] [site] [package]
+# without it, too), calibrate (Ceres, for gsim-calibrate; nothing else needs it), site (the documentation as pages), slurm (a cluster of one machine, for the test of gsim-batch on one), package (makes packages and tries them).
+# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [calibrate] [site] [slurm] [package]
 set -euo pipefail
 
 declare -A packages=(
@@ -21,6 +21,7 @@ declare -A packages=(
     [browser]="chromium"
     [calibrate]="libceres-dev"
     [site]="mkdocs"
+    [slurm]="slurmctld slurmd slurm-client munge python3"
     [package]="debhelper dpkg-dev lintian patchelf mmdebstrap"
 )
 

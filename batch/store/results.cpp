@@ -51,6 +51,19 @@ SqlDone check_or_make(Database& database) {
     return {};
 }
 
+/// Of a statement that gives one row with one number.
+tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
+    const auto row = statement.step();
+    if (!row) return Fault(row.error());
+    const std::int64_t number = *row ? statement.whole(0) : 0;
+    if (const auto done = statement.run(); !done) return Fault(done.error());
+    return number;
+}
+
+bool may_go_better(std::string_view status) {
+    return status == "crashed" || status == "timeout" || status == "memory";
+}
+
 }  // namespace
 
 struct Results::Statements {
@@ -66,14 +79,16 @@ Results::~Results() {
     statements_.reset();
 }
 
-tl::expected<Results, std::string> Results::open(const std::string& file) {
+tl::expected<Results, std::string> Results::open(const std::string& file, Journal journal) {
     const auto failed = [&](const std::string& why) {
         return Fault(fmt::format("results '{}': {}", file, why));
     };
     auto database = Database::open(file);
     if (!database) return Fault(database.error());
-    if (const auto set = database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"); !set)
-        return failed(set.error());
+    const char* mode = journal == Journal::write_ahead
+                           ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
+                           : "PRAGMA journal_mode = DELETE;";
+    if (const auto set = database->execute(mode); !set) return failed(set.error());
     if (const auto made = check_or_make(*database); !made) return failed(made.error());
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
@@ -106,28 +121,23 @@ tl::expected<Results, std::string> Results::open(const std::string& file) {
     return Results(*std::move(database), std::move(statements));
 }
 
-namespace {
-
-/// Of a statement that gives one row with one number.
-tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
-    const auto row = statement.step();
-    if (!row) return Fault(row.error());
-    const std::int64_t number = *row ? statement.whole(0) : 0;
-    if (const auto done = statement.run(); !done) return Fault(done.error());
-    return number;
-}
-
-bool may_go_better(std::string_view status) {
-    return status == "crashed" || status == "timeout" || status == "memory";
-}
-
-}  // namespace
-
 SqlDone Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
     if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
     add.bind(1, plan).bind(2, version).bind(3, now_utc()).bind(4, as_whole(jobs));
     return number_of(add).map([&](std::int64_t batch) { batch_ = batch; });
+}
+
+SqlDone Results::resume_batch(std::int64_t batch) {
+    batch_ = batch;
+    return database_.execute("BEGIN IMMEDIATE");
+}
+
+tl::expected<std::uint64_t, std::string> Results::noted() {
+    auto count = database_.prepare("SELECT count(*) FROM batch_run WHERE batch = ?");
+    if (!count) return Fault(count.error());
+    count->bind(1, batch_);
+    return number_of(*count).map([](std::int64_t number) { return static_cast<std::uint64_t>(number); });
 }
 
 SqlDone Results::end_batch(bool whole) {

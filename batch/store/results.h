@@ -25,18 +25,28 @@ struct RunKey {
 /// Says what a file is now: its hash, empty where there is none.
 using HashOf = std::function<std::string(const std::string& name)>;
 
+/// How SQLite keeps a file whole where a program ends in its middle.
+enum class Journal : std::uint8_t {
+    write_ahead,  ///< Others read while one writes; all of them on one machine.
+    rollback,     ///< For file systems that machines share.
+};
+
 /// Runs in a file of SQLite (docs/batch.md tells of its tables). One process at a time writes; any number
 /// reads meanwhile.
 class Results {
   public:
     /// Opens the file, or makes it. The error is a sentence: it is of another kind, or of a newer version.
-    static tl::expected<Results, std::string> open(const std::string& file);
+    static tl::expected<Results, std::string> open(const std::string& file,
+                                                   Journal journal = Journal::write_ahead);
     Results(Results&&) noexcept;
     Results& operator=(Results&&) = delete;
     ~Results();
 
     /// A batch begins: `jobs` of them by this plan. All runs that are noted from now on belong to it.
     SqlDone begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
+    /// A batch that was begun by another process goes on.
+    SqlDone resume_batch(std::int64_t batch);
+    std::int64_t batch() const { return batch_; }
     /// It came to its end, or was cut off.
     SqlDone end_batch(bool whole);
 
@@ -53,6 +63,11 @@ class Results {
                                                 const std::string& version);
     /// The run that stands for a job of the batch.
     SqlDone note(std::uint64_t job, std::int64_t run, bool reused);
+    /// Takes over what another file has of its jobs: the runs that stand for them there. Those that a job of
+    /// this batch has here already are left alone. How many were taken.
+    tl::expected<std::uint64_t, std::string> take_over(const std::string& file);
+    /// How many jobs of the batch have a run.
+    tl::expected<std::uint64_t, std::string> noted();
     /// What was added so far is on the disk, and others see it.
     SqlDone commit();
 

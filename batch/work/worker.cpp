@@ -53,6 +53,10 @@ bool answer(const RunRow& row) {
 int work(std::uint64_t memory_mb) {
     // Whoever gives the jobs may be killed: nobody is left behind.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Who ends a job of a cluster, or of a terminal, means the program in front: it lets each run come to its
+    // end.
+    std::signal(SIGTERM, SIG_IGN);
+    std::signal(SIGINT, SIG_IGN);
     bound_memory(memory_mb);
     confine_to_reading();
     JobRunner runner;

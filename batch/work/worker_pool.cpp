@@ -22,6 +22,7 @@ namespace {
 using Fault = tl::unexpected<std::string>;
 
 constexpr std::size_t kDepth = 2;  // one is run, the next one waits
+constexpr int kMostTries = 3;
 constexpr std::size_t kPiece = std::size_t{64} << 10U;
 
 std::string reason(int error) {
@@ -32,6 +33,14 @@ tl::expected<std::pair<os::Descriptor, os::Descriptor>, std::string> make_pipe()
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Fault("no pipe: " + reason(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
+}
+
+/// By somebody who ends processes (a cluster, an administrator, the system where memory is short): it need
+/// not be the job's fault.
+bool was_ended_from_outside(int status) {
+    if (!WIFSIGNALED(status)) return false;
+    const int signal = WTERMSIG(status);
+    return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
 }
 
 /// The row of a job whose worker came to an end in it.
@@ -100,6 +109,10 @@ tl::expected<void, std::string> WorkerPool::begin_worker() {
 }
 
 tl::expected<void, std::string> WorkerPool::give(Job job) {
+    return give_again({.job = std::move(job)});
+}
+
+tl::expected<void, std::string> WorkerPool::give_again(Given given) {
     const auto least = [](const Worker& a, const Worker& b) { return a.jobs.size() < b.jobs.size(); };
     auto worker = std::min_element(workers_.begin(), workers_.end(), least);
     if (worker == workers_.end() || (!worker->jobs.empty() && workers_.size() < options_.workers)) {
@@ -107,8 +120,8 @@ tl::expected<void, std::string> WorkerPool::give(Job job) {
         worker = std::prev(workers_.end());
     }
     if (worker->jobs.empty()) worker->begun = Clock::now();
-    worker->unsent += print_job(job) + '\n';
-    worker->jobs.push_back(std::move(job));
+    worker->unsent += print_job(given.job) + '\n';
+    worker->jobs.push_back(std::move(given));
     send(*worker);
     return {};
 }
@@ -133,7 +146,7 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
          begin = end + 1) {
         auto row = read_row(std::string_view(worker.received).substr(begin, end - begin));
         // What is no row of the job in front is of a worker that has lost its way.
-        if (!row || worker.jobs.empty() || row->number != worker.jobs.front().number) return false;
+        if (!row || worker.jobs.empty() || row->number != worker.jobs.front().job.number) return false;
         rows.push_back(*std::move(row));
         worker.jobs.pop_front();
         worker.begun = Clock::now();
@@ -147,14 +160,16 @@ tl::expected<void, std::string> WorkerPool::bury(std::list<Worker>::iterator wor
                                                  std::vector<RunRow>& rows) {
     ::kill(worker->child, SIGKILL);
     const int status = os::wait_for(worker->child).value_or(0);
-    std::deque<Job> jobs = std::move(worker->jobs);
+    std::deque<Given> jobs = std::move(worker->jobs);
     const bool timed_out = worker->timed_out;
     workers_.erase(worker);
     if (jobs.empty()) return {};
-    rows.push_back(row_of_end(jobs.front(), status, timed_out, options_.timeout_s));
-    jobs.pop_front();
-    for (Job& job : jobs) {
-        if (auto given = give(std::move(job)); !given) return given;
+    if (timed_out || !was_ended_from_outside(status) || ++jobs.front().tries == kMostTries) {
+        rows.push_back(row_of_end(jobs.front().job, status, timed_out, options_.timeout_s));
+        jobs.pop_front();
+    }
+    for (Given& job : jobs) {
+        if (auto given = give_again(std::move(job)); !given) return given;
     }
     return {};
 }

@@ -46,17 +46,22 @@ class WorkerPool {
   private:
     using Clock = std::chrono::steady_clock;
 
+    struct Given {
+        Job job;
+        int tries = 0;  ///< That somebody from outside has ended.
+    };
     struct Worker {
         pid_t child;
-        os::Descriptor input;       ///< Jobs go there.
-        os::Descriptor output;      ///< Rows come from there.
-        std::deque<Job> jobs = {};  ///< The one in front is run.
+        os::Descriptor input;         ///< Jobs go there.
+        os::Descriptor output;        ///< Rows come from there.
+        std::deque<Given> jobs = {};  ///< The one in front is run.
         Clock::time_point begun = {};
         std::string unsent = {};
         std::string received = {};
         bool timed_out = false;
     };
 
+    tl::expected<void, std::string> give_again(Given given);
     tl::expected<void, std::string> begin_worker();
     static void send(Worker& worker);
     /// Reads what there is; false at the end of its output.

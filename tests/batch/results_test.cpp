@@ -154,6 +154,49 @@ TEST_F(ResultsFile, ComesOutInOtherForms) {
     EXPECT_EQ(first["cycle_time_s"], 0.1 + 0.2);
 }
 
+TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
+    const auto file_with = [&](const std::string& name, std::size_t first, std::size_t end) {
+        const std::string file = (folder_ / name).string();
+        auto results = Results::open(file, Journal::rollback);
+        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results->begin_batch("plan", end - first, "v"));
+        for (std::size_t i = first; i < end; ++i) {
+            RunRow row = row_of(i);
+            row.report = "{}";
+            const auto run =
+                results->add(job_of(i, "p" + std::to_string(i)), {std::to_string(i), "1", ""}, row, "v");
+            EXPECT_TRUE(results->note(i, run.value(), false));
+        }
+        EXPECT_TRUE(results->end_batch(true));
+        return file;
+    };
+    const std::vector<std::string> shards{file_with("a", 0, 3), file_with("b", 3, 5)};
+    auto results = Results::open(file_, Journal::rollback);
+    ASSERT_TRUE(results->begin_batch("plan", 5, "v"));
+    for (int turn = 0; turn < 2; ++turn) {
+        std::uint64_t taken = 0;
+        for (const std::string& shard : shards) taken += results->take_over(shard).value_or(99);
+        EXPECT_EQ(taken, turn == 0 ? 5U : 0U);
+    }
+    // One that was killed before it had tables, and one that is none.
+    ASSERT_TRUE(Database::open((folder_ / "empty").string())->execute("PRAGMA user_version = 0"));
+    EXPECT_EQ(results->take_over((folder_ / "empty").string()).value_or(99), 0U);
+    std::ofstream(folder_ / "damaged") << std::string(5000, 'x');
+    EXPECT_FALSE(results->take_over((folder_ / "damaged").string()));
+    EXPECT_EQ(results->noted().value_or(99), 5U) << "it goes on behind a file that cannot be read";
+    ASSERT_TRUE(results->end_batch(true));
+    auto database = Database::open(file_, true);
+    for (const auto& [query, count] : {std::pair{"SELECT count(*) FROM setting", 10},
+                                       {"SELECT count(*) FROM report", 5},
+                                       {"SELECT count(*) FROM run_input", 15},
+                                       {"SELECT count(*) FROM input", 3},
+                                       {"SELECT count(DISTINCT program) FROM latest", 5}}) {
+        auto asked = database->prepare(query);
+        ASSERT_TRUE(asked->step().value_or(false));
+        EXPECT_EQ(asked->whole(0), count) << query;
+    }
+}
+
 TEST_F(ResultsFile, OfAnotherKindIsRefused) {
     std::ofstream(file_) << "no database, but long enough to be looked at as if it were one, with many words";
     const auto text = Results::open(file_);

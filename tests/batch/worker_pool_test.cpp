@@ -16,6 +16,7 @@ while IFS= read -r line; do
     case $line in
         *crash*) kill -SEGV $$ ;;
         *leave*) exit 3 ;;
+        *ended*) kill -TERM $$ ;;
         *memory*) exit 12 ;;
         *sleep*) sleep 60 ;;
         *babble*) echo 'no row' ;;
@@ -78,6 +79,14 @@ TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
             EXPECT_EQ(row.file, programs[number]);
         }
     }
+}
+
+// Another one tries it again, as it may have been no fault of the job's.
+TEST(WorkerPool, WhatOthersEndIsTriedAgainButNotForEver) {
+    const auto rows = run_all({"a.nc", "ended", "a.nc", "a.nc"}, 2);
+    EXPECT_EQ(rows.at(1).status, "crashed");
+    EXPECT_THAT(rows.at(1).message, HasSubstr("signal 15"));
+    for (const std::size_t number : {0U, 2U, 3U}) EXPECT_EQ(rows.at(number).status, "completed");
 }
 
 TEST(WorkerPool, EndsWhatTakesTooLong) {

@@ -3,12 +3,14 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "batch/plan/plan.h"
+#include "batch/store/results.h"
 
 namespace gsim::batch {
 
@@ -18,7 +20,9 @@ struct BatchOptions {
     std::size_t workers = 1;
     std::uint64_t memory_mb = 4096;  ///< Of each worker.
     double timeout_s = 600;          ///< Of each run, by the clock.
-    bool retry = false;              ///< What crashed, took too long or too much memory is run again.
+    Journal journal = Journal::write_ahead;
+    std::optional<std::vector<std::uint64_t>> only = {};  ///< Numbers of jobs; nothing: all of them.
+    bool retry = false;  ///< What crashed, took too long or too much memory is run again.
 };
 
 /// What came of it.

@@ -1,0 +1,54 @@
+#include "batch/run/known_runs.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "batch/run/own_program.h"
+#include "batch/work/run_options.h"
+#include "batch/work/sha256.h"
+#include "engine/system/host_of_system.h"
+#include "engine/version.h"
+
+namespace gsim::batch {
+
+using nlohmann::json;
+
+KnownRuns::KnownRuns()
+    : host_(engine::host_of_system()),
+      version_(fmt::format("{}+{}", engine::version(), files_.hash_of(own_program()).substr(0, 16))) {}
+
+RunKey KnownRuns::key_of(const Job& job) {
+    RunKey key;
+    key.program_sha256 = files_.hash_of(job.program);
+    key.machine_sha256 = hash_of_machine(job.machine);
+    json files = json::object();
+    for (const auto& [name, value] : job.options.items()) {
+        if (find_option(name)->kind == RunOption::Kind::file)
+            files[name] = files_.hash_of(value.get<std::string>());
+    }
+    const json all{{"version", version_},
+                   {"program", {job.program, key.program_sha256}},
+                   {"machine", {job.machine, key.machine_sha256}},
+                   {"options", job.options},
+                   {"files", files},
+                   {"settings", settings_json(job.settings)}};
+    key.key = sha256(all.dump(-1, ' ', false, json::error_handler_t::replace));
+    return key;
+}
+
+tl::expected<std::optional<Results::FoundRun>, std::string> KnownRuns::find(Results& results,
+                                                                            const RunKey& key, const Job& job,
+                                                                            bool retry) {
+    const auto hash_of = [this](const std::string& name) { return files_.hash_of(name); };
+    return results.find(key.key, hash_of, job.keeps_report, retry);
+}
+
+std::string KnownRuns::hash_of_machine(const std::string& name) {
+    if (name.empty()) return {};
+    auto found = machines_.find(name);
+    if (found == machines_.end())
+        found = machines_.emplace(name, host_.find(engine::NameKind::machine, name).value_or(name)).first;
+    return files_.hash_of(found->second);
+}
+
+}  // namespace gsim::batch

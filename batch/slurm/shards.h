@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "batch/plan/plan.h"
+
+namespace gsim::batch {
+
+/// A batch that a cluster runs in pieces, in a folder that all of its machines see, RESULTS.slurm: the plan,
+/// which jobs are in which shard, a file of results for each shard, what tasks print.
+struct Shards {
+    std::string results;              ///< File that all of it comes into.
+    std::int64_t batch = 0;           ///< There.
+    std::uint64_t jobs = 0;           ///< Of the batch, with those that were there already.
+    std::vector<std::uint64_t> todo;  ///< Numbers of the jobs that are run.
+    std::uint64_t shards = 0;
+    std::uint64_t workers = 1;  ///< Of each task.
+    std::uint64_t memory_mb = 4096;
+    double timeout_s = 600;
+    std::string array_job;   ///< Slurm's number; empty: it is not submitted.
+    std::string gather_job;  ///< Of the job that puts all together behind it.
+    bool gathered = false;   ///< All that there was is in the results.
+
+    /// The jobs of a shard.
+    std::vector<std::uint64_t> jobs_of(std::uint64_t shard) const;
+};
+
+std::filesystem::path folder_of(const std::string& results);
+std::filesystem::path shard_file(const std::filesystem::path& folder, std::uint64_t shard);
+
+/// How many shards so many jobs make: of `each` jobs, but no more shards than the cluster takes in an array.
+std::uint64_t shard_count(std::uint64_t jobs, std::uint64_t each, std::uint64_t most);
+
+/// Writes and reads a folder's files. The errors are sentences.
+tl::expected<void, std::string> write_shards(const std::filesystem::path& folder, const Shards& shards);
+tl::expected<Shards, std::string> read_shards(const std::filesystem::path& folder);
+tl::expected<void, std::string> write_plan_of(const std::filesystem::path& folder, const Plan& plan);
+tl::expected<Plan, std::string> read_plan_of(const std::filesystem::path& folder);
+
+}  // namespace gsim::batch

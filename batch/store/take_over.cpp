@@ -1,0 +1,142 @@
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "batch/store/results.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+// All but the id.
+constexpr const char* kColumns =
+    "key, program, program_sha256, machine, machine_sha256, machine_name, controller, options, settings, "
+    "version, "
+    "ran_at, status, cause, message, file, line, cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, "
+    "rapid_mm, "
+    "feed_mm, jet_on_mm, blocks, moves, violations, collisions, process_findings, warnings, energy_j, "
+    "extents, "
+    "findings, cpu_s";
+
+struct Pair {
+    std::int64_t job = 0, run = 0;
+};
+
+/// The jobs of the other file that have no run here, in their order.
+tl::expected<std::vector<Pair>, std::string> lacking(Database& database, std::int64_t batch) {
+    // A process that was killed at once has left a file without tables.
+    auto tables = database.prepare("SELECT count(*) FROM other.sqlite_schema WHERE name = 'batch_run'");
+    if (!tables) return Fault(tables.error());
+    if (const auto row = tables->step(); !row || tables->whole(0) == 0)
+        return row ? tl::expected<std::vector<Pair>, std::string>() : Fault(row.error());
+    auto rows = database.prepare(
+        "SELECT theirs.job, theirs.run FROM other.batch_run theirs WHERE theirs.batch = (SELECT max(id) FROM "
+        "other.batch) AND "
+        "NOT EXISTS (SELECT 1 FROM main.batch_run ours WHERE ours.batch = ? AND ours.job = theirs.job) ORDER "
+        "BY "
+        "theirs.job");
+    if (!rows) return Fault(rows.error());
+    rows->bind(1, batch);
+    std::vector<Pair> pairs;
+    while (true) {
+        const auto row = rows->step();
+        if (!row) return Fault(row.error());
+        if (!*row) return pairs;
+        pairs.push_back({rows->whole(0), rows->whole(1)});
+    }
+}
+
+/// Takes over runs of a database that is attached as `other`.
+class Copier {
+  public:
+    static tl::expected<Copier, std::string> of(Database& database) {
+        Copier copier;
+        for (
+            const auto& [statement, sql] :
+            {std::pair{
+                 &copier.run_,
+                 fmt::format("INSERT INTO main.run ({0}) SELECT {0} FROM other.run WHERE id = ? RETURNING id",
+                             kColumns)},
+             {&copier.setting_,
+              std::string("INSERT INTO main.setting SELECT ?, name, value FROM other.setting WHERE run = ?")},
+             {&copier.report_,
+              std::string("INSERT INTO main.report SELECT ?, json FROM other.report WHERE run = ?")},
+             {&copier.input_,
+              std::string(
+                  "INSERT OR IGNORE INTO main.input (file, sha256) SELECT file, sha256 FROM other.input JOIN "
+                  "other.run_input ON input = id WHERE run = ?")},
+             {&copier.run_input_,
+              std::string(
+                  "INSERT INTO main.run_input SELECT ?, ours.id FROM other.run_input JOIN other.input theirs "
+                  "ON theirs.id = input JOIN main.input ours ON ours.file = theirs.file AND ours.sha256 = "
+                  "theirs.sha256 WHERE run = ?")}}) {
+            auto prepared = database.prepare(sql);
+            if (!prepared) return Fault(prepared.error());
+            statement->emplace(*std::move(prepared));
+        }
+        return copier;
+    }
+
+    /// The number of the run here.
+    tl::expected<std::int64_t, std::string> copy(std::int64_t run) {
+        run_->bind(1, run);
+        const auto row = run_->step();
+        if (!row) return Fault(row.error());
+        if (!*row) return Fault(fmt::format("run {} is not there", run));
+        const std::int64_t ours = run_->whole(0);
+        input_->bind(1, run);
+        for (std::optional<Statement>* each : {&setting_, &report_, &run_input_})
+            (*each)->bind(1, ours).bind(2, run);
+        return run_->run()
+            .and_then([&] { return setting_->run(); })
+            .and_then([&] { return report_->run(); })
+            .and_then([&] { return input_->run(); })
+            .and_then([&] { return run_input_->run(); })
+            .map([&] { return ours; });
+    }
+
+  private:
+    std::optional<Statement> run_, setting_, report_, input_, run_input_;
+};
+
+}  // namespace
+
+tl::expected<std::uint64_t, std::string> Results::take_over(const std::string& file) {
+    // No database is attached within a transaction.
+    auto attach = database_.execute("COMMIT").and_then([&]() -> SqlDone {
+        auto statement = database_.prepare("ATTACH DATABASE ? AS other");
+        if (!statement) return Fault(statement.error());
+        statement->bind(1, file);
+        return statement->run();
+    });
+    if (!attach) {
+        // What follows belongs to the batch as before.
+        static_cast<void>(database_.execute("BEGIN IMMEDIATE"));
+        return Fault(attach.error());
+    }
+    const auto taken = [&]() -> tl::expected<std::uint64_t, std::string> {
+        if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return Fault(begun.error());
+        const auto pairs = lacking(database_, batch_);
+        if (!pairs) return Fault(pairs.error());
+        if (pairs->empty()) return 0;
+        auto copier = Copier::of(database_);
+        if (!copier) return Fault(copier.error());
+        for (const Pair& pair : *pairs) {
+            const auto run = copier->copy(pair.run);
+            if (!run) return Fault(run.error());
+            if (const auto done = note(static_cast<std::uint64_t>(pair.job), *run, false); !done)
+                return Fault(done.error());
+        }
+        return pairs->size();
+    }();
+    const auto detached = database_.execute(taken ? "COMMIT" : "ROLLBACK").and_then([&] {
+        return database_.execute("DETACH DATABASE other; BEGIN IMMEDIATE");
+    });
+    if (!taken) return taken;
+    if (!detached) return Fault(detached.error());
+    return taken;
+}
+
+}  // namespace gsim::batch
