@@ -23,6 +23,7 @@
 #include "base/os/output_file.h"
 #include "batch/run/batch_run.h"
 #include "batch/slurm/cluster_batch.h"
+#include "batch/statistics/study.h"
 #include "batch/store/outputs.h"
 #include "batch/work/worker.h"
 
@@ -50,6 +51,9 @@ struct Arguments {
     std::string partition;
     std::uint64_t shard_runs = 1000, task_workers = 1, time_limit_min = 0;
     std::string csv, json_lines, junit, sarif;
+    bool statistics = false;
+    std::string statistics_json, page;
+    std::optional<double> since;
     bool quiet = false;
 };
 
@@ -80,6 +84,15 @@ void add_options(apps::CommandLine& line, Arguments& a) {
     line.add("--junit", &a.junit, "write them as a test report (JUnit)").of_file(FileKind::output, {".xml"});
     line.add("--sarif", &a.sarif, "write what is wrong with the programs as SARIF 2.1.0")
         .of_file(FileKind::output, {".sarif"});
+    line.add("--statistics", &a.statistics,
+             "tell what the variants of each program come to: mean, percentiles and failures with their "
+             "intervals, "
+             "which settings count; and machines against the first one, program by program");
+    line.add("--statistics-json", &a.statistics_json, "write that as JSON, with histograms")
+        .of_file(FileKind::output, {".json"});
+    line.add("--page", &a.page, "write it as a page with pictures").of_file(FileKind::output, {".html"});
+    line.add("--since", &a.since, "with these: against the batch of that number, too; 0: the one before")
+        .called("BATCH");
     line.add("-q,--quiet", &a.quiet, "no word on the way, no summary");
     line.begin_group("How it is run");
     line.add("-j,--workers", &a.workers, "processes that run programs at once")
@@ -197,6 +210,32 @@ Done write_output(Database& results, const std::string& file,
     });
 }
 
+Done write_statistics(const Arguments& arguments, Database& results) {
+    if (!arguments.statistics && arguments.statistics_json.empty() && arguments.page.empty()) return {};
+    const auto studies = read_studies(results);
+    if (!studies) return tl::unexpected(studies.error());
+    auto comparisons = compare_machines(results);
+    if (!comparisons) return tl::unexpected(comparisons.error());
+    if (arguments.since) {
+        auto before = compare_batches(results, static_cast<std::int64_t>(*arguments.since));
+        if (!before) return tl::unexpected(before.error());
+        comparisons->push_back(*std::move(before));
+    }
+    if (arguments.statistics) {
+        for (const Study& study : *studies) apps::print(to_text(study));
+        for (const Comparison& comparison : *comparisons) apps::print(to_text(comparison));
+    }
+    const auto write = [](const std::string& file, const std::string& text) -> Done {
+        if (file.empty()) return {};
+        if (file != os::kStandardStream) return os::write_file(file, text);
+        apps::print(text);
+        return {};
+    };
+    return write(arguments.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
+        return write(arguments.page, to_html(*studies, *comparisons));
+    });
+}
+
 Done write_outputs(const Arguments& arguments) {
     auto results = Database::open(arguments.results, true);
     if (!results) return tl::unexpected(results.error());
@@ -205,13 +244,14 @@ Done write_outputs(const Arguments& arguments) {
         return write_json_lines(from, kWholeRuns, sink);
     };
     const bool prints = arguments.csv == "-" || arguments.json_lines == "-" || arguments.junit == "-" ||
-                        arguments.sarif == "-";
+                        arguments.sarif == "-" || arguments.statistics_json == "-" || arguments.page == "-";
     return write_output(*results, arguments.csv, csv)
         .and_then([&] { return write_output(*results, arguments.json_lines, lines); })
         .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
         .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
+        .and_then([&] { return write_statistics(arguments, *results); })
         .and_then([&]() -> Done {
-            if (arguments.quiet || prints) return {};
+            if (arguments.quiet || prints || arguments.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text); });
         })
         .map_error(

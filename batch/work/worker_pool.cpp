@@ -206,7 +206,8 @@ tl::expected<std::vector<RunRow>, std::string> WorkerPool::take(std::chrono::mil
     for (auto worker = workers_.begin(); worker != workers_.end();) {
         const auto next = std::next(worker);
         send(*worker);
-        if (!receive(*worker, rows)) {
+        // What a run has begun itself may keep the output of one that was killed open.
+        if (worker->timed_out || !receive(*worker, rows)) {
             if (auto buried = bury(worker, rows); !buried) return Fault(buried.error());
         }
         worker = next;

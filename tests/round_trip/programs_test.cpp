@@ -75,7 +75,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
             ASSERT_FALSE(HasFailure());
         }
     }
-    EXPECT_GT(written, 20);
+    EXPECT_GT(written, static_cast<int>(5 * programs(12) / 3));
 }
 
 // Modes, feeds, speeds, switches, tools, offsets and subprograms, in each way to write offsets.
@@ -94,7 +94,7 @@ TEST_F(RoundTrip, RandomModes) {
             ASSERT_FALSE(HasFailure());
         }
     }
-    EXPECT_GE(written, 40);
+    EXPECT_GE(written, static_cast<int>(4 * programs(10)));
 }
 
 }  // namespace

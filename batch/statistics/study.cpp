@@ -1,0 +1,180 @@
+#include "batch/statistics/study.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace gsim::batch {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+using nlohmann::json;
+
+struct Run {
+    std::string status, cause;
+    json settings;
+    double time_s = 0;
+
+    bool is_clean() const { return status == "completed" && cause.empty(); }
+};
+
+using Runs = std::vector<Run>;
+
+/// Runs by program and machine, in the order of their jobs.
+tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> read_runs(Database& results) {
+    auto rows = results.prepare("SELECT program, machine, status, cause, settings, cycle_time_s FROM latest");
+    if (!rows) return Fault(rows.error());
+    std::map<std::pair<std::string, std::string>, Runs> runs;
+    while (true) {
+        const auto row = rows->step();
+        if (!row) return Fault(row.error());
+        if (!*row) return runs;
+        runs[{std::string(rows->text(0)), std::string(rows->text(1))}].push_back(
+            {std::string(rows->text(2)), std::string(rows->text(3)),
+             json::parse(std::string(rows->text(4)), nullptr, false), rows->number(5)});
+    }
+}
+
+/// A setting as a number: one that is, or a factor ("x 1.1").
+std::optional<double> number_in(const json& value) {
+    if (value.is_number()) return value.get<double>();
+    if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
+    const auto* text = value.get_ptr<const std::string*>();
+    if (text == nullptr || !text->starts_with("x ")) return std::nullopt;
+    const json factor = json::parse(text->substr(2), nullptr, false);
+    return factor.is_number() ? std::optional(factor.get<double>()) : std::nullopt;
+}
+
+Sensitivity sensitivity_of(const Runs& completed) {
+    std::map<std::string, std::vector<double>> columns;
+    std::vector<double> times_s;
+    for (const Run& run : completed) {
+        times_s.push_back(run.time_s);
+        for (const auto& [name, value] : run.settings.items()) {
+            if (const auto number = number_in(value)) columns[name].push_back(*number);
+        }
+    }
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> settings;
+    for (auto& [name, column] : columns) {
+        if (column.size() != times_s.size()) continue;  // a text in some of them
+        names.push_back(name);
+        settings.push_back(std::move(column));
+    }
+    return regress(names, settings, times_s);
+}
+
+Study study_of(const std::string& program, const std::string& machine, const Runs& runs) {
+    Study study{.program = program, .machine = machine, .runs = runs.size()};
+    std::map<std::string, std::uint64_t> causes;
+    Runs completed;
+    for (const Run& run : runs) {
+        if (!run.is_clean()) {
+            ++study.failed;
+            ++causes[run.cause.empty() ? run.status : run.cause];
+        }
+        // Past limits or with a collision it has a time all the same.
+        if (run.status == "completed" || run.status == "violations") completed.push_back(run);
+    }
+    study.failed_share = share_interval(study.failed, study.runs);
+    study.causes.assign(causes.begin(), causes.end());
+    std::sort(study.causes.begin(), study.causes.end(),
+              [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (const Run& run : completed) study.times_s.push_back(run.time_s);
+    if (!study.times_s.empty()) study.time = summarize(study.times_s);
+    study.sensitivity = sensitivity_of(completed);
+    return study;
+}
+
+constexpr const char* kPairs =
+    "SELECT a.status = 'completed' AND a.cause = '', b.status = 'completed' AND b.cause = '', "
+    "a.cycle_time_s, b.cycle_time_s "
+    "FROM {} a JOIN {} b ON a.program = b.program AND a.settings = b.settings AND {}";
+
+tl::expected<Comparison, std::string> compare(Statement& pairs, std::string first, std::string second) {
+    Comparison comparison{.first = std::move(first), .second = std::move(second)};
+    std::vector<double> differences_s;
+    while (true) {
+        const auto row = pairs.step();
+        if (!row) return Fault(row.error());
+        if (!*row) break;
+        ++comparison.pairs;
+        const bool first_is_clean = pairs.whole(0) != 0, second_is_clean = pairs.whole(1) != 0;
+        comparison.fails_first += !first_is_clean && second_is_clean ? 1 : 0;
+        comparison.fails_second += first_is_clean && !second_is_clean ? 1 : 0;
+        if (!first_is_clean || !second_is_clean) continue;
+        const double difference_s = pairs.number(3) - pairs.number(2);
+        comparison.faster += difference_s < 0 ? 1 : 0;
+        comparison.slower += difference_s > 0 ? 1 : 0;
+        comparison.first_s += pairs.number(2);
+        comparison.second_s += pairs.number(3);
+        differences_s.push_back(difference_s);
+    }
+    if (!differences_s.empty()) comparison.difference_s = summarize(std::move(differences_s));
+    return comparison;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Study>, std::string> read_studies(Database& results) {
+    return read_runs(results).map([](const auto& all) {
+        std::vector<Study> studies;
+        for (const auto& [names, runs] : all) {
+            if (runs.size() > 1) studies.push_back(study_of(names.first, names.second, runs));
+        }
+        return studies;
+    });
+}
+
+tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& results) {
+    auto machines = results.prepare("SELECT machine FROM latest GROUP BY machine ORDER BY min(job)");
+    if (!machines) return Fault(machines.error());
+    std::vector<std::string> names;
+    while (true) {
+        const auto row = machines->step();
+        if (!row) return Fault(row.error());
+        if (!*row) break;
+        names.emplace_back(machines->text(0));
+    }
+    std::vector<Comparison> comparisons;
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        auto pairs =
+            results.prepare(fmt::format(fmt::runtime(kPairs), "latest", "latest",
+                                        "a.options = b.options AND a.machine = ? AND b.machine = ?"));
+        if (!pairs) return Fault(pairs.error());
+        pairs->bind(1, names[0]).bind(2, names[i]);
+        auto comparison = compare(*pairs, names[0], names[i]);
+        if (!comparison) return Fault(comparison.error());
+        comparisons.push_back(*std::move(comparison));
+    }
+    return comparisons;
+}
+
+tl::expected<Comparison, std::string> compare_batches(Database& results, std::int64_t before) {
+    auto batches = results.prepare(
+        "SELECT max(id), coalesce(?, (SELECT max(id) FROM batch WHERE id < (SELECT max(id) FROM batch))) "
+        "FROM batch");
+    if (!batches) return Fault(batches.error());
+    if (before > 0) {
+        batches->bind(1, before);
+    } else {
+        batches->bind_null(1);
+    }
+    if (const auto row = batches->step(); !row || !*row)
+        return Fault(row ? "there is no batch" : row.error());
+    const std::int64_t latest = batches->whole(0), other = batches->whole(1);
+    if (other <= 0 || other >= latest) return Fault("there is no such batch before the latest one");
+    // The same program on the same machine, whatever became of their texts.
+    auto pairs = results.prepare(fmt::format(
+        fmt::runtime(kPairs),
+        "(SELECT run.* FROM batch_run JOIN run ON run.id = batch_run.run WHERE batch_run.batch = ?)",
+        "latest", "a.machine = b.machine"));
+    if (!pairs) return Fault(pairs.error());
+    pairs->bind(1, other);
+    return compare(*pairs, fmt::format("batch {}", other), fmt::format("batch {}", latest));
+}
+
+}  // namespace gsim::batch
