@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 4> kSamplings{"grid", "random", "latin-hy
 constexpr std::array<std::string_view, 10> kSettingKeys{
     "key", "values", "from", "to", "steps", "distribution", "mean", "mode", "deviation", "scale"};
 constexpr std::array<std::string_view, 3> kDistributions{"uniform", "normal", "triangular"};
-constexpr std::uint64_t kMostSteps = 1'000'000;
+constexpr std::uint64_t kMostSteps = 100'000;
 constexpr std::uint64_t kMostRuns = 100'000'000;
 
 /// A plain value as JSON; nothing where it is none.
@@ -229,6 +229,12 @@ class PlanReader {
         }
         if (plan_.design.sampling != Sampling::grid) size = static_cast<double>(plan_.design.runs);
         size *= static_cast<double>(plan_.programs.size() * plan_.machines.size());
+        const double values = plan_.design.sampling == Sampling::grid
+                                  ? 0
+                                  : static_cast<double>(plan_.design.runs * plan_.settings.size());
+        if (values > static_cast<double>(kMostRuns))
+            section.fail("setting",
+                         fmt::format("these are {:.3g} values of settings; {} may be", values, kMostRuns));
         if (size > static_cast<double>(kMostRuns))
             section.fail("setting", fmt::format("these are {:.3g} runs; {} may be", size, kMostRuns));
     }

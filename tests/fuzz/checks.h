@@ -53,6 +53,9 @@ Outcome check_parameters(std::string_view text);
 Outcome check_linuxcnc_ini(std::string_view text);
 Outcome check_grbl_settings(std::string_view text);
 
+/// Jobs of a plan of many runs are the same when the plan is handed on, and come back from their lines.
+Outcome check_batch_plan(std::string_view toml);
+
 /// What a machine did, for calibration: samples are finite and their times rise, whatever is made of the
 /// numbers in columns; a motion takes a time.
 Outcome check_motion_record(std::string_view text);

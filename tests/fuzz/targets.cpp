@@ -29,6 +29,7 @@ constexpr std::array kTargets{
     Target{"parameters", "parameters", check_parameters},
     Target{"linuxcnc_ini", "linuxcnc_ini", check_linuxcnc_ini},
     Target{"grbl_settings", "grbl_settings", check_grbl_settings},
+    Target{"batch_plan", "batch_plan", check_batch_plan},
     Target{"motion_record", "motion_record", check_motion_record},
     Target{"servo_record", "servo_record", check_servo_record},
     Target{"run_list", "run_list", check_run_list},

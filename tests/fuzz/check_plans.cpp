@@ -1,0 +1,40 @@
+#include "batch/plan/plan.h"
+#include "batch/plan/plan_json.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+constexpr std::uint64_t kMostJobs = 10'000;  // that take milliseconds
+
+std::optional<std::string> fault_of_job(const batch::Job& job) {
+    const std::string line = batch::print_job(job);
+    if (line.find('\n') != std::string::npos) return "a job of two lines";
+    const auto again = batch::read_job(line);
+    if (!again) return "a job is refused: " + again.error();
+    if (batch::print_job(*again) != line) return "a job is another one when it is written";
+    return std::nullopt;
+}
+
+}  // namespace
+
+Outcome check_batch_plan(std::string_view toml) {
+    const std::string file = name_beside(".toml");
+    const auto plan = batch::read_plan(toml, file);
+    if (!plan) return refused_with(plan.error(), file);
+    const auto handed = batch::read_plan_json(batch::print_plan_json(*plan));
+    if (!handed) return broken("a plan is refused when it is handed on: " + handed.error());
+    if (plan->design.runs * (plan->settings.size() + 1) > kMostJobs) return accepted();
+    const batch::Jobs ours(*plan), theirs(*handed);
+    if (ours.size() == 0 || ours.size() != theirs.size()) return broken("a plan of other jobs");
+    for (const std::uint64_t number : {std::uint64_t{0}, ours.size() / 2, ours.size() - 1}) {
+        const batch::Job job = ours.job(number);
+        if (auto fault = fault_of_job(job)) return broken(*std::move(fault));
+        if (batch::print_job(theirs.job(number)) != batch::print_job(job))
+            return broken("another job of the same plan");
+    }
+    return accepted();
+}
+
+}  // namespace gsim::fuzz
