@@ -74,6 +74,7 @@ void add_options(apps::CommandLine& line, Arguments& a) {
     line.add("--no-collisions", &a.no_collisions, "do not look for collisions and near misses");
     line.begin_group("Results");
     line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+        .of_file(FileKind::changed, {".sqlite"})
         .called("FILE")
         .shows_default();
     line.add("--reports", &a.reports, "keep the whole report of each run, too");
@@ -153,7 +154,7 @@ tl::expected<Plan, std::string> plan_of_words(const Arguments& arguments) {
     for (const std::string& input : arguments.inputs) {
         const auto found = find_programs(input);
         if (!found) return tl::unexpected(found.error());
-        plan.programs.insert(plan.programs.end(), found->begin(), found->end());
+        add_programs(plan, *found);
     }
     if (!arguments.machines.empty()) plan.machines = arguments.machines;
     if (!arguments.machine_data.empty()) plan.options["machine_data"] = arguments.machine_data;
@@ -217,9 +218,13 @@ Done write_statistics(const Arguments& arguments, Database& results) {
     auto comparisons = compare_machines(results);
     if (!comparisons) return tl::unexpected(comparisons.error());
     if (arguments.since) {
+        // The first batch has none before it, which is no reason to tell nothing.
         auto before = compare_batches(results, static_cast<std::int64_t>(*arguments.since));
-        if (!before) return tl::unexpected(before.error());
-        comparisons->push_back(*std::move(before));
+        if (before) {
+            comparisons->push_back(*std::move(before));
+        } else {
+            fmt::print(stderr, "{}: {}\n", kName, before.error());
+        }
     }
     if (arguments.statistics) {
         for (const Study& study : *studies) apps::print(to_text(study));
@@ -299,16 +304,27 @@ int run_plan(const Arguments& arguments) {
 int told(const tl::expected<ClusterState, std::string>& state) {
     if (!state) return refuse(state.error());
     apps::print(to_text(*state) + '\n');
-    return state->lost > 0 ? apps::kProgramFault : apps::kDone;
+    const bool lacks = state->lost > 0 || (state->is_over() && !state->gathered);
+    return lacks ? apps::kProgramFault : apps::kDone;
 }
 
 /// Until nothing of the batch is in the queue.
 tl::expected<ClusterState, std::string> wait_for_cluster(const std::string& results) {
-    while (true) {
+    constexpr int kMostFaults = 60;  // one after the other: a controller may be away for a while
+    for (int faults = 0;;) {
         auto state = ask_state(results);
-        if (!state || state->is_over() || stop_flag()) return state;
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+        faults = state ? 0 : faults + 1;
+        if (stop_flag() || faults == kMostFaults || (state && state->is_over())) return state;
+        std::this_thread::sleep_for(std::chrono::seconds(2));
     }
+}
+
+/// Whether runs of the latest batch have failed.
+bool has_failed(const std::string& file) {
+    auto results = Database::open(file, true);
+    if (!results) return true;
+    auto failed = results->prepare("SELECT count(*) FROM failed");
+    return !failed || !failed->step().value_or(false) || failed->whole(0) > 0;
 }
 
 int submit_plan(const Arguments& arguments) {
@@ -323,11 +339,16 @@ int submit_plan(const Arguments& arguments) {
                            .retry = arguments.retry};
     if (arguments.memory_mb) options.memory_mb = memory_mb_of(arguments);
     auto state = submit(*plan, options);
-    if (!state || !arguments.wait || state->shards == 0) return told(state);
-    std::signal(SIGINT, ask_to_stop);
-    const int status = told(wait_for_cluster(arguments.results));
-    const Done done = write_outputs(arguments);
-    return done ? status : refuse(done.error());
+    if (!state) return refuse(state.error());
+    if (state->shards > 0) {
+        if (!arguments.wait) return told(state);
+        std::signal(SIGINT, ask_to_stop);
+        state = wait_for_cluster(arguments.results);
+    }
+    const int status = told(state);
+    if (!state) return status;
+    if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
+    return status == apps::kDone && has_failed(arguments.results) ? apps::kProgramFault : status;
 }
 
 /// What tasks of a cluster call this program for; nothing: it is called by people.
@@ -368,6 +389,8 @@ int run(const std::vector<std::string>& words) {
     if (arguments.status) return told(ask_state(arguments.results));
     if (arguments.cancel) return told(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
+    if (arguments.slurm || !arguments.machines.empty() || arguments.retry)
+        return refuse("name a plan or programs; --slurm, --machine and --retry are of them");
     const Done done = write_outputs(arguments);
     return done ? apps::kDone : refuse(done.error());
 }

@@ -29,7 +29,7 @@ unpack_archive() {
 
 # The largest of the versions that the archive asks of a library, such as GLIBC.
 asked_version() {
-    objdump -T "$scratch/$odd"/bin/gsim "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | grep -o "\b$1_[0-9.]*" | sort -uV | tail -n 1
+    objdump -T "$scratch/$odd"/bin/gsim "$scratch/$odd"/bin/gsim-batch "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | grep -o "\b$1_[0-9.]*" | sort -uV | tail -n 1
 }
 
 # at_most NAME VERSION: what Ubuntu 24.04 and Debian 13 have is newer than Debian 12's, which this is held against.
@@ -46,7 +46,7 @@ at_most() {
 # All libraries of the archive come with it, but for those that each system has.
 own_libraries() {
     local foreign
-    foreign=$(ldd "$scratch/$odd"/bin/gsim "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | awk '$2 == "=>" { print $1, $0 }' |
+    foreign=$(ldd "$scratch/$odd"/bin/gsim "$scratch/$odd"/bin/gsim-batch "$scratch/$odd"/libexec/gsim/gsim-serve "$scratch/$odd"/libexec/gsim/gsim-rcs-host "$scratch/$odd"/lib/gsim/*.so* | awk '$2 == "=>" { print $1, $0 }' |
         grep -Ev '^(libc|libm|libstdc\+\+|libgcc_s)\.so' | grep -vF "$scratch/$odd/")
     if [[ -z $foreign ]]; then echo 'ok the archive brings its libraries'; else echo "FAILED not from the archive: $foreign"; fi
 }

@@ -54,6 +54,8 @@ licences() {
     mkdir "$1"
     {
         for library in "${@:2}"; do package_of "$library"; done
+        # Which version of it is there is in its name.
+        dpkg --search /usr/include/boost/version.hpp | sed 's/:.*//'
         printf '%s\n' libcli11-dev libeigen3-dev libexpected-dev libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev
     } | sort -u | while read -r package; do
         install -m 644 "/usr/share/doc/$package/copyright" "$1/$package"
@@ -65,12 +67,12 @@ archive() {
     for component in programs studio development docs licence; do
         quietly cmake --install "$build" --prefix "$root" --component $component --strip
     done
-    mapfile -t libraries < <(libraries "$root/bin/gsim" "$root/libexec/gsim/gsim-serve" "$root/libexec/gsim/gsim-rcs-host" "$root/lib/gsim/libgsim_rcs_default.so")
+    mapfile -t libraries < <(libraries "$root/bin/gsim" "$root/bin/gsim-batch" "$root/libexec/gsim/gsim-serve" "$root/libexec/gsim/gsim-rcs-host" "$root/lib/gsim/libgsim_rcs_default.so")
     for library in "${libraries[@]}"; do
         install -m 644 "$library" "$root/lib/gsim"
     done
     # shellcheck disable=SC2016  # the loader replaces $ORIGIN
-    patchelf --set-rpath '$ORIGIN/../lib/gsim' "$root/bin/gsim"
+    patchelf --set-rpath '$ORIGIN/../lib/gsim' "$root/bin/gsim" "$root/bin/gsim-batch"
     # shellcheck disable=SC2016
     patchelf --set-rpath '$ORIGIN/../../lib/gsim' "$root/libexec/gsim/gsim-serve" "$root/libexec/gsim/gsim-rcs-host"
     # shellcheck disable=SC2016

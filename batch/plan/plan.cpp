@@ -4,11 +4,14 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <unordered_set>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
 
 #include "base/text/letter_case.h"
+#include "base/text/printable.h"
+#include "base/text/utf8.h"
 
 namespace gsim::batch {
 
@@ -31,11 +34,13 @@ bool is_pattern(const std::string& name) {
     return name.find_first_of("*?[") != std::string::npos;
 }
 
-/// The files below a folder of which `wanted` is true; hidden folders and files are left out.
+/// The files below a folder of which `wanted` is true; hidden folders and files are left out, and what may
+/// not be read.
 tl::expected<Names, std::string> files_below(const fs::path& folder, const auto& wanted) {
     std::error_code error;
     Names found;
-    auto entry = fs::recursive_directory_iterator(folder, error);
+    auto entry =
+        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         const bool hidden = entry->path().filename().string().starts_with('.');
         if (hidden && entry->is_directory()) entry.disable_recursion_pending();
@@ -62,28 +67,49 @@ bool is_meant(const std::string& name, const std::string& pattern) {
     return false;
 }
 
-tl::expected<Names, std::string> matches(const std::string& pattern) {
+tl::expected<Names, std::string> matches(const std::string& pattern, const fs::path& folder) {
     const std::size_t slash = pattern.rfind('/', pattern.find_first_of("*?["));
-    const fs::path folder = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
-    return files_below(folder, [whole = fs::path(pattern).lexically_normal().string()](const fs::path& file) {
-        return is_meant(file.lexically_normal().string(), whole);
-    });
+    const fs::path below = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
+    return files_below(
+        folder / below, [&, whole = fs::path(pattern).lexically_normal().string()](const fs::path& file) {
+            const fs::path name =
+                folder.empty() || fs::path(pattern).is_absolute() ? file : file.lexically_relative(folder);
+            return is_meant(name.lexically_normal().string(), whole);
+        });
+}
+
+/// Programs are handed on as text.
+tl::expected<Names, std::string> all_of_utf8(Names names) {
+    for (const std::string& name : names) {
+        if (!text::is_utf8(name))
+            return Fault(fmt::format("'{}' has a name that is not UTF-8", text::printable(name)));
+    }
+    return names;
 }
 
 }  // namespace
 
-tl::expected<Names, std::string> find_programs(const std::string& name) {
+tl::expected<Names, std::string> find_programs(const std::string& name, const fs::path& folder) {
     std::error_code ignored;
-    if (fs::is_regular_file(name, ignored)) return Names{name};
-    const bool is_folder = fs::is_directory(name, ignored);
+    const std::string plain = (folder / name).lexically_normal().string();
+    if (fs::is_regular_file(plain, ignored)) return all_of_utf8({plain});
+    const bool is_folder = fs::is_directory(plain, ignored);
     if (!is_folder && !is_pattern(name))
-        return Fault(fmt::format("cannot read '{}': there is no such file or folder", name));
-    auto found = is_folder ? files_below(name, is_program) : matches(name);
+        return Fault(
+            fmt::format("cannot read '{}': there is no such file or folder", text::printable(plain)));
+    auto found = is_folder ? files_below(plain, is_program) : matches(name, folder);
     if (found && found->empty())
         return Fault(is_folder
-                         ? fmt::format("'{}' has no part programs ({})", name, fmt::join(kEndings, ", "))
-                         : fmt::format("nothing is called '{}'", name));
-    return found;
+                         ? fmt::format("'{}' has no part programs ({})", plain, fmt::join(kEndings, ", "))
+                         : fmt::format("nothing is called '{}'", plain));
+    return found.and_then(all_of_utf8);
+}
+
+void add_programs(Plan& plan, const Names& files) {
+    std::unordered_set<std::string> known(plan.programs.begin(), plan.programs.end());
+    for (const std::string& file : files) {
+        if (known.insert(file).second) plan.programs.push_back(file);
+    }
 }
 
 Jobs::Jobs(const Plan& plan) : plan_(plan), design_(plan.settings, plan.design) {}

@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -94,9 +96,9 @@ class PlanReader {
     void read_programs(TomlSection& section) {
         if (section.require("programs") == nullptr) return;
         for (const std::string& name : texts(section, table_, "programs")) {
-            auto found = find_programs((folder_ / name).lexically_normal().string());
+            auto found = find_programs(name, folder_);
             if (!found) return section.fail("programs", found.error());
-            plan_.programs.insert(plan_.programs.end(), found->begin(), found->end());
+            add_programs(plan_, *found);
         }
     }
 
@@ -130,7 +132,12 @@ class PlanReader {
     void read_sampling(TomlSection& section) {
         plan_.design.sampling = static_cast<Sampling>(section.choice("kind", 0, kSamplings));
         plan_.design.seed = whole(section, "seed", 1, kMostRuns, 1);
-        if (plan_.design.sampling == Sampling::grid) return;
+        if (plan_.design.sampling == Sampling::grid) {
+            if (section.has("runs"))
+                section.fail("runs",
+                             "a grid has as many runs as its values make; 'runs' is of another 'kind'");
+            return;
+        }
         if (section.require("runs") != nullptr) plan_.design.runs = whole(section, "runs", 1, kMostRuns, 1);
     }
 
@@ -156,8 +163,32 @@ class PlanReader {
         const bool has_values = section.has("values");
         if (has_values == section.has("from") && !(section.has("distribution") && !has_values))
             return section.fail("key", "[[setting]] has 'values', or 'from' and 'to', or a 'distribution'");
+        refuse_unused(section, has_values);
+        if (!has_values && setting.key.starts_with(kOfRun)) {
+            if (const auto checked = check_option(setting.key.substr(kOfRun.size()), 1.5); !checked)
+                return section.fail("key", checked.error());
+        }
         setting.domain = has_values ? Domain(values(section, table, setting)) : numbers(section);
         plan_.settings.push_back(std::move(setting));
+    }
+
+    /// Keys that say nothing beside the others.
+    static void refuse_unused(TomlSection& section, bool has_values) {
+        const auto refuse = [&](std::initializer_list<const char*> keys, const char* beside) {
+            for (const char* key : keys) {
+                if (section.has(key))
+                    section.fail(key, fmt::format("'{}' says nothing beside {}", key, beside));
+            }
+        };
+        if (has_values)
+            return refuse({"from", "to", "steps", "distribution", "mean", "mode", "deviation"}, "'values'");
+        if (section.has("steps")) return refuse({"distribution", "mean", "mode", "deviation"}, "'steps'");
+        const std::size_t distribution = section.choice("distribution", 0, kDistributions);
+        if (distribution == 1) return refuse({"from", "to", "mode"}, "'normal'");
+        refuse({"mean", "deviation"}, "'from' and 'to'");
+        if (distribution == 0) refuse({"mode"}, "'uniform'");
+        section.require("from");
+        section.require("to");
     }
 
     Choices values(TomlSection& section, const toml::table& table, const Setting& setting) {
@@ -179,6 +210,10 @@ class PlanReader {
                 if (const auto checked = check_option(name, *value); !checked)
                     error_.report(node.source().begin, checked.error());
             }
+            const RunOption* option =
+                setting.key.starts_with(kOfRun) ? find_option(setting.key.substr(kOfRun.size())) : nullptr;
+            if (option != nullptr && option->kind == RunOption::Kind::file && value->is_string())
+                value = file_of(value->get<std::string>());
             choices.values.push_back(*std::move(value));
         }
         return choices;
@@ -217,7 +252,12 @@ class PlanReader {
 
     void check_design(TomlSection& section) {
         double size = 1;
+        std::set<std::string> keys;
         for (const Setting& setting : plan_.settings) {
+            if (!keys.insert(setting.key).second)
+                return section.fail(
+                    "setting", fmt::format("'{}' is set twice ('controllers' is machine.controller.model)",
+                                           setting.key));
             const auto* choices = std::get_if<Choices>(&setting.domain);
             if (plan_.design.sampling == Sampling::grid && choices == nullptr)
                 return section.fail(

@@ -20,6 +20,7 @@ using Fault = tl::unexpected<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kWait(200);
+constexpr std::uint64_t kLookEach = 64;  // jobs
 constexpr std::chrono::milliseconds kCommitEach(500);
 
 std::vector<std::string> worker_command(std::uint64_t memory_mb) {
@@ -41,8 +42,7 @@ class BatchRun {
 
     tl::expected<BatchTally, std::string> run() {
         auto lock = os::FileLock::get(options_.results, std::chrono::milliseconds(0));
-        if (!lock)
-            return Fault(fmt::format("another batch writes '{}' ({})", options_.results, lock.error()));
+        if (!lock) return Fault(lock.error());
         auto results = Results::open(options_.results, options_.journal);
         if (!results) return Fault(results.error());
         results_ = &*results;
@@ -66,15 +66,25 @@ class BatchRun {
             while (!stop_ && next < tally_.jobs && pool_.has_room()) {
                 if (auto begun = begin(jobs_.job(number_of(next++))); !begun) return begun;
                 if (auto kept = keep_up(); !kept) return kept;
+                // What ends meanwhile is not to look late.
+                if (next % kLookEach == 0) {
+                    if (auto taken = take_rows(std::chrono::milliseconds(0)); !taken) return taken;
+                }
             }
             if (pool_.in_work() == 0 && (stop_ || next == tally_.jobs)) return {};
-            auto rows = pool_.take(kWait);
-            if (!rows) return Fault(rows.error());
-            for (const RunRow& row : *rows) {
-                if (auto taken = take(row); !taken) return taken;
-            }
+            if (auto taken = take_rows(kWait); !taken) return taken;
             if (auto kept = keep_up(); !kept) return kept;
         }
+    }
+
+    SqlDone take_rows(std::chrono::milliseconds longest_wait) {
+        if (pool_.in_work() == 0) return {};
+        auto rows = pool_.take(longest_wait);
+        if (!rows) return Fault(rows.error());
+        for (const RunRow& row : *rows) {
+            if (auto taken = take(row); !taken) return taken;
+        }
+        return {};
     }
 
     std::uint64_t number_of(std::uint64_t place) const {
@@ -90,7 +100,13 @@ class BatchRun {
             ++tally_.reused;
             return note(job.number, (*found)->run, (*found)->is_clean, true);
         }
-        waiting_.insert_or_assign(job.number, Waiting{job, std::move(key)});
+        // The same one is under way: its run stands for both.
+        if (const auto same = under_way_.find(key.key); same != under_way_.end()) {
+            waiting_.at(same->second).others.push_back(job.number);
+            return {};
+        }
+        under_way_.emplace(key.key, job.number);
+        waiting_.insert_or_assign(job.number, Waiting{job, std::move(key), {}});
         return pool_.give(std::move(job));
     }
 
@@ -98,9 +114,15 @@ class BatchRun {
         const auto waiting = waiting_.find(row.number);
         if (waiting == waiting_.end()) return Fault("a row of no job");
         const auto run = results_->add(waiting->second.job, waiting->second.key, row, known_.version());
+        const std::vector<std::uint64_t> others = std::move(waiting->second.others);
+        under_way_.erase(waiting->second.key.key);
         waiting_.erase(waiting);
         if (!run) return Fault(run.error());
         ++tally_.ran;
+        for (const std::uint64_t other : others) {
+            ++tally_.reused;
+            if (auto noted = note(other, *run, row.is_clean(), true); !noted) return noted;
+        }
         return note(row.number, *run, row.is_clean(), false);
     }
 
@@ -126,6 +148,7 @@ class BatchRun {
     struct Waiting {
         Job job;
         RunKey key;
+        std::vector<std::uint64_t> others;  ///< Jobs that are the same.
     };
 
     const BatchOptions& options_;
@@ -137,6 +160,7 @@ class BatchRun {
     WorkerPool pool_;
     Results* results_ = nullptr;
     std::unordered_map<std::uint64_t, Waiting> waiting_;
+    std::unordered_map<std::string, std::uint64_t> under_way_;  ///< Numbers in waiting_, by keys.
     BatchTally tally_;
     Clock::time_point begun_ = Clock::now();
     Clock::time_point next_commit_ = begun_ + kCommitEach;

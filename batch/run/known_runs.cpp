@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/os/installation.h"
 #include "batch/run/own_program.h"
 #include "batch/work/run_options.h"
 #include "batch/work/sha256.h"
@@ -13,9 +14,23 @@ namespace gsim::batch {
 
 using nlohmann::json;
 
+namespace {
+
+/// Of this program, and of those that runs may call.
+std::string hash_of_programs(InputFiles& files) {
+    std::string hashes = files.hash_of(own_program());
+    for (const char* helper : {"gsim-solid", "gsim-rcs-host"}) {
+        if (const auto program = os::helper_program(os::program_folder(), helper))
+            hashes += files.hash_of(program->string());
+    }
+    return hashes;
+}
+
+}  // namespace
+
 KnownRuns::KnownRuns()
     : host_(engine::host_of_system()),
-      version_(fmt::format("{}+{}", engine::version(), files_.hash_of(own_program()).substr(0, 16))) {}
+      version_(fmt::format("{}+{}", engine::version(), sha256(hash_of_programs(files_)).substr(0, 16))) {}
 
 RunKey KnownRuns::key_of(const Job& job) {
     RunKey key;

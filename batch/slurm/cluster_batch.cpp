@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,12 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::uint64_t kMemory_mb = 4096;
 constexpr std::chrono::milliseconds kLockWait(60'000);
+constexpr int kCancelWait_s = 60;
+
+/// What a node is told to have where nobody has told it: no figure.
+constexpr std::uint64_t kLeastNode_mb = 256;
+/// Of a task, beside its workers.
+constexpr std::uint64_t kOwn_mb = 128;
 
 std::string quoted(const std::string& word) {
     std::string text = "'";
@@ -35,7 +42,7 @@ std::string quoted(const std::string& word) {
 /// Goes through all jobs: those that were run before belong to the batch at once.
 tl::expected<Shards, std::string> find_todo(const Plan& plan, const ClusterOptions& options) {
     auto lock = os::FileLock::get(options.results, std::chrono::milliseconds(0));
-    if (!lock) return Fault(fmt::format("another batch writes '{}' ({})", options.results, lock.error()));
+    if (!lock) return Fault(lock.error());
     auto results = Results::open(options.results, Journal::rollback);
     if (!results) return Fault(results.error());
     KnownRuns known;
@@ -46,6 +53,7 @@ tl::expected<Shards, std::string> find_todo(const Plan& plan, const ClusterOptio
     if (const auto begun = results->begin_batch(plan.name, jobs.size(), known.version()); !begun)
         return Fault(begun.error());
     shards.batch = results->batch();
+    shards.token = results->token();
     for (std::uint64_t number = 0; number < jobs.size(); ++number) {
         const Job job = jobs.job(number);
         const auto found = known.find(*results, known.key_of(job), job, options.retry);
@@ -65,7 +73,7 @@ Done check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
         return Fault(fmt::format("partition '{}' allows {} minutes; {} are asked for (--time-limit)",
                                  limits.partition, *limits.time_min, options.time_limit_min));
     const std::uint64_t memory_mb = options.memory_mb.value_or(0) * options.workers;
-    if (limits.memory_mb && memory_mb > *limits.memory_mb)
+    if (limits.memory_mb.value_or(0) >= kLeastNode_mb && memory_mb + kOwn_mb > *limits.memory_mb)
         return Fault(
             fmt::format("the largest node of partition '{}' has {} MB; {} workers of {} MB are asked for",
                         limits.partition, *limits.memory_mb, options.workers, *options.memory_mb));
@@ -74,7 +82,8 @@ Done check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
 
 std::uint64_t memory_for(const ClusterOptions& options, const ClusterLimits& limits) {
     if (options.memory_mb) return *options.memory_mb;
-    return limits.memory_mb ? std::min(kMemory_mb, *limits.memory_mb / options.workers) : kMemory_mb;
+    if (!limits.memory_mb || *limits.memory_mb < kLeastNode_mb) return kMemory_mb;
+    return std::clamp<std::uint64_t>((*limits.memory_mb - kOwn_mb) / options.workers, 64, kMemory_mb);
 }
 
 Done write_script(const fs::path& file, const std::string& words) {
@@ -112,7 +121,8 @@ Done submit_jobs(const fs::path& folder, const ClusterOptions& options, const Cl
     array.push_back("--job-name=gsim-batch");
     array.push_back("--output=" + (folder / "task-%a.log").string());
     array.push_back(fmt::format("--cpus-per-task={}", options.workers));
-    array.push_back(fmt::format("--mem-per-cpu={}M", shards.memory_mb));
+    if (limits.memory_mb.value_or(0) >= kLeastNode_mb)
+        array.push_back(fmt::format("--mem-per-cpu={}M", shards.memory_mb + kOwn_mb / options.workers));
     if (options.time_limit_min > 0) array.push_back(fmt::format("--time={}", options.time_limit_min));
     auto job = submit_job(array, (folder / "task.sh").string());
     if (!job) return Fault(job.error());
@@ -188,10 +198,13 @@ Done clear_earlier(const fs::path& folder) {
     if (!state->is_over())
         return Fault(fmt::format("a batch of '{}' is under way: {}; --status tells more, --cancel ends it",
                                  shards->results, to_text(*state)));
-    if (!shards->gathered) {
-        if (const auto gathered = gather(folder.string()); !gathered) return Fault(gathered.error());
-    }
-    return {};
+    if (shards->gathered) return {};
+    const auto gathered = gather(folder.string());
+    if (!gathered)
+        return Fault(fmt::format("{}; what is there of it is in {}", gathered.error(), folder.string()));
+    if (gathered->faults.empty()) return {};
+    return Fault(fmt::format("{}; remove {} where that is not wanted any more", gathered->faults.front(),
+                             folder.string()));
 }
 
 }  // namespace
@@ -217,8 +230,11 @@ tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOp
     shards->memory_mb = memory_for(options, *limits);
     shards->timeout_s = options.timeout_s;
     if (const Done written = write_folder(folder, plan, *shards); !written) return Fault(written.error());
-    if (const Done submitted = submit_jobs(folder, options, *limits, *shards); !submitted)
+    if (const Done submitted = submit_jobs(folder, options, *limits, *shards); !submitted) {
+        shards->ended = true;
+        static_cast<void>(write_shards(folder, *shards));
         return Fault(submitted.error());
+    }
     return state_of_shards(folder, *shards);
 }
 
@@ -226,7 +242,7 @@ std::string why_not_here(const std::string& results) {
     const fs::path folder = folder_of(fs::absolute(results).string());
     if (!fs::exists(folder / "shards.json")) return {};
     const auto shards = read_shards(folder);
-    if (shards && shards->gathered) return {};
+    if (shards && (shards->gathered || shards->ended)) return {};
     return fmt::format(
         "'{}' belongs to a batch on a cluster that is not gathered; --status tells of it, --cancel ends it, "
         "and "
@@ -257,7 +273,19 @@ tl::expected<ClusterState, std::string> cancel(const std::string& results) {
     if (!shards) return Fault(fmt::format("no batch of '{}' was submitted: {}", results, shards.error()));
     if (const auto cancelled = cancel_jobs({shards->gather_job, shards->array_job}); !cancelled)
         return Fault(cancelled.error());
-    if (const auto gathered = gather(folder.string()); !gathered) return Fault(gathered.error());
+    // Tasks let the runs that are under way come to their end.
+    for (int waited_s = 0; waited_s < kCancelWait_s; ++waited_s) {
+        const auto state = state_of_shards(folder, *shards);
+        if (state && state->is_over()) break;
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+    const auto gathered = gather(folder.string());
+    if (!gathered) return Fault(gathered.error());
+    auto ended = read_shards(folder);
+    if (!ended) return Fault(ended.error());
+    ended->ended = true;
+    if (const Done written = write_shards(folder, *ended); !written) return Fault(written.error());
+    if (!gathered->faults.empty()) return Fault(gathered->faults.front());
     return ask_state(results);
 }
 
@@ -287,7 +315,8 @@ tl::expected<Gathered, std::string> gather(const std::string& folder) {
     if (!lock) return Fault(lock.error());
     auto results = Results::open(shards->results, Journal::rollback);
     if (!results) return Fault(results.error());
-    if (const auto resumed = results->resume_batch(shards->batch); !resumed) return Fault(resumed.error());
+    if (const auto resumed = results->resume_batch(shards->batch, shards->token); !resumed)
+        return Fault(resumed.error());
     Gathered gathered;
     for (std::uint64_t shard = 0; shard < shards->shards; ++shard) {
         const fs::path file = shard_file(folder, shard);

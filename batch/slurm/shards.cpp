@@ -49,6 +49,7 @@ template <typename State, typename Take>
 void for_each_plain(State& state, const Take& take) {
     take("results", state.results);
     take("batch", state.batch);
+    take("token", state.token);
     take("jobs", state.jobs);
     take("shards", state.shards);
     take("workers", state.workers);
@@ -57,6 +58,7 @@ void for_each_plain(State& state, const Take& take) {
     take("array_job", state.array_job);
     take("gather_job", state.gather_job);
     take("gathered", state.gathered);
+    take("ended", state.ended);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace gsim::batch {
 struct Shards {
     std::string results;              ///< File that all of it comes into.
     std::int64_t batch = 0;           ///< There.
+    std::string token = {};           ///< Its own.
     std::uint64_t jobs = 0;           ///< Of the batch, with those that were there already.
     std::vector<std::uint64_t> todo;  ///< Numbers of the jobs that are run.
     std::uint64_t shards = 0;
@@ -24,7 +25,8 @@ struct Shards {
     double timeout_s = 600;
     std::string array_job;   ///< Slurm's number; empty: it is not submitted.
     std::string gather_job;  ///< Of the job that puts all together behind it.
-    bool gathered = false;   ///< All that there was is in the results.
+    bool gathered = false;   ///< All of it is in the results.
+    bool ended = false;      ///< It was cancelled, or could not be submitted: what it lacks will not come.
 
     /// The jobs of a shard.
     std::vector<std::uint64_t> jobs_of(std::uint64_t shard) const;

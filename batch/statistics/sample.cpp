@@ -18,6 +18,7 @@ constexpr double kEach = 0.025;  // beyond either end
 constexpr std::array kShares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 constexpr double kMostBins = 60;
 constexpr double kOnePercent = 0.01;
+constexpr double kMostRuns = 1e15;  // that are told
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -76,7 +77,8 @@ SampleSummary summarize(std::vector<double> values) {
             const double needed =
                 quantile(complement(boost::math::students_t(static_cast<double>(values.size() - 1)), kEach)) *
                 summary.deviation / (kOnePercent * std::abs(summary.mean));
-            summary.runs_for_percent = static_cast<std::uint64_t>(std::ceil(std::max(needed * needed, 1.0)));
+            summary.runs_for_percent =
+                static_cast<std::uint64_t>(std::ceil(std::clamp(needed * needed, 1.0, kMostRuns)));
         }
     }
     std::sort(values.begin(), values.end());

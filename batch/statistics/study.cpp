@@ -89,10 +89,23 @@ Study study_of(const std::string& program, const std::string& machine, const Run
     return study;
 }
 
-constexpr const char* kPairs =
-    "SELECT a.status = 'completed' AND a.cause = '', b.status = 'completed' AND b.cause = '', "
-    "a.cycle_time_s, b.cycle_time_s "
-    "FROM {} a JOIN {} b ON a.program = b.program AND a.settings = b.settings AND {}";
+/// Runs of a source, numbered among those that are told the same: copies are pairs one by one.
+std::string numbered(std::string_view source) {
+    return fmt::format(
+        "(SELECT program, machine, options, settings, status, cause, cycle_time_s, row_number() OVER "
+        "(PARTITION "
+        "BY program, machine, options, settings ORDER BY job) AS place FROM {})",
+        source);
+}
+
+std::string pairs_of(std::string_view first, std::string_view second, std::string_view condition) {
+    return fmt::format(
+        "SELECT a.status = 'completed' AND a.cause = '', b.status = 'completed' AND b.cause = '', "
+        "a.cycle_time_s, b.cycle_time_s FROM {} a JOIN {} b ON a.program = b.program AND a.settings = "
+        "b.settings "
+        "AND a.place = b.place AND {}",
+        numbered(first), numbered(second), condition);
+}
 
 tl::expected<Comparison, std::string> compare(Statement& pairs, std::string first, std::string second) {
     Comparison comparison{.first = std::move(first), .second = std::move(second)};
@@ -141,9 +154,8 @@ tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& re
     }
     std::vector<Comparison> comparisons;
     for (std::size_t i = 1; i < names.size(); ++i) {
-        auto pairs =
-            results.prepare(fmt::format(fmt::runtime(kPairs), "latest", "latest",
-                                        "a.options = b.options AND a.machine = ? AND b.machine = ?"));
+        auto pairs = results.prepare(
+            pairs_of("latest", "latest", "a.options = b.options AND a.machine = ? AND b.machine = ?"));
         if (!pairs) return Fault(pairs.error());
         pairs->bind(1, names[0]).bind(2, names[i]);
         auto comparison = compare(*pairs, names[0], names[i]);
@@ -168,10 +180,10 @@ tl::expected<Comparison, std::string> compare_batches(Database& results, std::in
     const std::int64_t latest = batches->whole(0), other = batches->whole(1);
     if (other <= 0 || other >= latest) return Fault("there is no such batch before the latest one");
     // The same program on the same machine, whatever became of their texts.
-    auto pairs = results.prepare(fmt::format(
-        fmt::runtime(kPairs),
-        "(SELECT run.* FROM batch_run JOIN run ON run.id = batch_run.run WHERE batch_run.batch = ?)",
-        "latest", "a.machine = b.machine"));
+    auto pairs =
+        results.prepare(pairs_of("(SELECT run.*, batch_run.job FROM batch_run JOIN run ON run.id = "
+                                 "batch_run.run WHERE batch_run.batch = ?)",
+                                 "latest", "a.machine = b.machine"));
     if (!pairs) return Fault(pairs.error());
     pairs->bind(1, other);
     return compare(*pairs, fmt::format("batch {}", other), fmt::format("batch {}", latest));

@@ -114,23 +114,28 @@ engine::Diagnostic diagnostic_in(const json& told) {
 
 std::string shortened(std::string_view sentence) {
     if (sentence.size() <= kLongestCause) return std::string(sentence);
-    return std::string(sentence.substr(0, kLongestCause)) + "...";
+    std::size_t end = kLongestCause;
+    while (end > 0 && (static_cast<unsigned char>(sentence[end]) & 0xC0U) == 0x80U)
+        --end;  // within a character
+    return std::string(sentence.substr(0, end)) + "...";
 }
 
 }  // namespace
 
 SqlDone write_csv(Database& results, std::string_view query, const Sink& sink) {
-    bool headed = false;
+    const auto columns = results.prepare(query);
+    if (!columns) return Fault(columns.error());
+    std::vector<std::string> names;
+    for (int column = 0; column < columns->columns(); ++column)
+        names.push_back(quoted_csv(columns->name(column)));
+    if (!sink(line_of(names))) return Fault("it cannot be written");
     return for_each_row(results, query, [&](const Statement& row) {
-        std::vector<std::string> names, cells;
+        std::vector<std::string> cells;
         for (int column = 0; column < row.columns(); ++column) {
-            names.push_back(quoted_csv(row.name(column)));
             // As text SQLite has no more than 15 digits.
             cells.push_back(row.is_number(column) ? fmt::format("{}", row.number(column))
                                                   : quoted_csv(row.text(column)));
         }
-        if (!headed && !sink(line_of(names))) return false;
-        headed = true;
         return sink(line_of(cells));
     });
 }

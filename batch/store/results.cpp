@@ -1,6 +1,7 @@
 #include "batch/store/results.h"
 
 #include <ctime>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,6 +19,11 @@ using Fault = tl::unexpected<std::string>;
 
 std::string now_utc() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string new_token() {
+    std::random_device random;
+    return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
 std::int64_t as_whole(std::uint64_t number) {
@@ -60,8 +66,10 @@ tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
     return number;
 }
 
-bool may_go_better(std::string_view status) {
-    return status == "crashed" || status == "timeout" || status == "memory";
+/// With more time or memory, or when nobody ends it from outside.
+bool may_go_better(std::string_view status, std::string_view message) {
+    return status == "crashed" || status == "timeout" || status == "memory" ||
+           (status != "completed" && message.find("memory") != std::string_view::npos);
 }
 
 }  // namespace
@@ -96,9 +104,10 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
         return *std::move(statement);
     };
     auto statements = std::make_unique<Statements>(Statements{
-        prepared("INSERT INTO batch (plan, version, began_at, jobs) VALUES (?, ?, ?, ?) RETURNING id"),
+        prepared(
+            "INSERT INTO batch (token, plan, version, began_at, jobs) VALUES (?, ?, ?, ?, ?) RETURNING id"),
         prepared("UPDATE batch SET ended_at = ?, whole = ? WHERE id = ?"),
-        prepared("SELECT run.id, status, report.run IS NOT NULL, cause FROM run LEFT JOIN report ON "
+        prepared("SELECT run.id, status, report.run IS NOT NULL, cause, message FROM run LEFT JOIN report ON "
                  "report.run = run.id "
                  "WHERE key = ? ORDER BY run.id DESC"),
         prepared("SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ?"),
@@ -124,12 +133,20 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
 SqlDone Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
     if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
-    add.bind(1, plan).bind(2, version).bind(3, now_utc()).bind(4, as_whole(jobs));
+    token_ = new_token();
+    add.bind(1, token_).bind(2, plan).bind(3, version).bind(4, now_utc()).bind(5, as_whole(jobs));
     return number_of(add).map([&](std::int64_t batch) { batch_ = batch; });
 }
 
-SqlDone Results::resume_batch(std::int64_t batch) {
+SqlDone Results::resume_batch(std::int64_t batch, const std::string& token) {
+    auto known = database_.prepare("SELECT count(*) FROM batch WHERE id = ? AND token = ?");
+    if (!known) return Fault(known.error());
+    known->bind(1, batch).bind(2, token);
+    const auto count = number_of(*known);
+    if (!count) return Fault(count.error());
+    if (*count == 0) return Fault(fmt::format("batch {} is not in this file", batch));
     batch_ = batch;
+    token_ = token;
     return database_.execute("BEGIN IMMEDIATE");
 }
 
@@ -164,19 +181,22 @@ tl::expected<bool, std::string> Results::is_current(std::int64_t run, const Hash
 tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const std::string& key,
                                                                           const HashOf& hash_of,
                                                                           bool with_report, bool retry) {
-    std::vector<FoundRun> candidates;
+    std::vector<FoundRun> candidates, lost_ones;
     Statement& find = statements_->find;
     find.bind(1, key);
     while (true) {
         const auto row = find.step();
         if (!row) return Fault(row.error());
         if (!*row) break;
-        const bool lost = may_go_better(find.text(1));
+        const bool lost = may_go_better(find.text(1), find.text(4));
         // What has ended without a report will not have one.
         if (retry && lost) continue;
         if (!with_report || lost || find.text(1) == "refused" || find.whole(2) != 0)
-            candidates.push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
+            (lost ? lost_ones : candidates)
+                .push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
     }
+    // Of what took its process with it nobody knows what it had read: it counts where there is no better one.
+    candidates.insert(candidates.end(), lost_ones.begin(), lost_ones.end());
     for (const FoundRun& found : candidates) {
         const auto current = is_current(found.run, hash_of);
         if (!current) return Fault(current.error());

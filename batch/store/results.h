@@ -44,9 +44,11 @@ class Results {
 
     /// A batch begins: `jobs` of them by this plan. All runs that are noted from now on belong to it.
     SqlDone begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
-    /// A batch that was begun by another process goes on.
-    SqlDone resume_batch(std::int64_t batch);
+    /// A batch that was begun by another process goes on. The error: it is not in this file.
+    SqlDone resume_batch(std::int64_t batch, const std::string& token);
     std::int64_t batch() const { return batch_; }
+    /// What tells a batch from all others, also in other files.
+    const std::string& token() const { return token_; }
     /// It came to its end, or was cut off.
     SqlDone end_batch(bool whole);
 
@@ -81,6 +83,7 @@ class Results {
     Database database_;
     std::unique_ptr<Statements> statements_;
     std::int64_t batch_ = 0;
+    std::string token_;
 };
 
 }  // namespace gsim::batch

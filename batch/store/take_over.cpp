@@ -31,11 +31,13 @@ tl::expected<std::vector<Pair>, std::string> lacking(Database& database, std::in
     if (!tables) return Fault(tables.error());
     if (const auto row = tables->step(); !row || tables->whole(0) == 0)
         return row ? tl::expected<std::vector<Pair>, std::string>() : Fault(row.error());
+    // Of each job the newest: a task that was put back has begun another batch in the same file.
     auto rows = database.prepare(
-        "SELECT theirs.job, theirs.run FROM other.batch_run theirs WHERE theirs.batch = (SELECT max(id) FROM "
-        "other.batch) AND "
-        "NOT EXISTS (SELECT 1 FROM main.batch_run ours WHERE ours.batch = ? AND ours.job = theirs.job) ORDER "
-        "BY "
+        "SELECT theirs.job, theirs.run FROM other.batch_run theirs JOIN (SELECT job, max(batch) AS batch "
+        "FROM "
+        "other.batch_run GROUP BY job) newest ON newest.job = theirs.job AND newest.batch = theirs.batch "
+        "WHERE NOT "
+        "EXISTS (SELECT 1 FROM main.batch_run ours WHERE ours.batch = ? AND ours.job = theirs.job) ORDER BY "
         "theirs.job");
     if (!rows) return Fault(rows.error());
     rows->bind(1, batch);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <ctime>
+#include <exception>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -45,6 +47,7 @@ class FilesOfRun {
     explicit FilesOfRun(InputFiles& files) : files_(files) {}
 
     void replace(const std::string& name, std::string text) { replaced_[normal(name)] = std::move(text); }
+    bool is_replaced(const std::string& name) const { return replaced_.contains(normal(name)); }
     std::optional<std::string> read(const std::string& name) {
         const std::string plain = normal(name);
         if (const auto replaced = replaced_.find(plain); replaced != replaced_.end()) return replaced->second;
@@ -69,6 +72,9 @@ class FilesOfRun {
 engine::Host host_with(const engine::Host& system, FilesOfRun& files) {
     engine::Host host = system;
     host.files = engine::Files::given([&files](const std::string& name) { return files.read(name); });
+    host.find = [&files, find = system.find](engine::NameKind kind, const std::string& name) {
+        return files.is_replaced(name) ? tl::expected<std::string, std::string>(name) : find(kind, name);
+    };
     host.read_solid = [&files, read = system.read_solid](const std::string& file, double tolerance_mm) {
         files.note(file);
         return read(file, tolerance_mm);
@@ -88,7 +94,8 @@ class Edits {
         : job_(job), request_(request), files_(files) {}
 
     tl::expected<void, std::string> make() {
-        return machine().and_then([&] { return cell(); }).and_then([&] { return data(); });
+        // The cell may name another machine when it has been changed.
+        return cell().and_then([&] { return machine(); }).and_then([&] { return data(); });
     }
 
   private:
@@ -234,8 +241,10 @@ void take_figures(RunRow& row, const engine::Report& report) {
 /// What stands in the report as JSON alone.
 void take_whole(RunRow& row, std::string text, bool keeps) {
     const json report = json::parse(text);
-    row.controller = report.value("controller", "");
-    if (const auto efforts = report.find("efforts"); efforts != report.end())
+    if (const auto controller = report.find("controller");
+        controller != report.end() && controller->is_string())
+        row.controller = *controller;
+    if (const auto efforts = report.find("efforts"); efforts != report.end() && efforts->is_object())
         row.energy_j = efforts->at("in_j").get<double>() - efforts->at("back_j").get<double>();
     if (keeps) row.report = std::move(text);
 }
@@ -258,6 +267,18 @@ void run_request(RunRow& row, engine::Request request, bool keeps_report) {
 JobRunner::JobRunner() : system_(engine::host_of_system()) {}
 
 RunRow JobRunner::run(const Job& job) {
+    try {
+        return run_unguarded(job);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        RunRow row{.number = job.number};
+        refuse(row, {.code = "internal", .message = error.what()}, {});
+        return row;
+    }
+}
+
+RunRow JobRunner::run_unguarded(const Job& job) {
     const double begun_s = cpu_now_s();
     RunRow row{.number = job.number};
     FilesOfRun files(files_);

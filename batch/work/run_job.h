@@ -19,6 +19,8 @@ class JobRunner {
     RunRow run(const Job& job);
 
   private:
+    RunRow run_unguarded(const Job& job);
+
     InputFiles files_;
     engine::SharedLibrary library_;
     engine::Host system_;

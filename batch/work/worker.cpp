@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -37,8 +38,9 @@ void bound_memory([[maybe_unused]] std::uint64_t memory_mb) {
 /// Programs and scripts come from anywhere: whatever they do, no file is changed. Without landlock there is
 /// the engine's own care alone.
 void confine_to_reading() {
+    const std::filesystem::path here = os::program_folder();
     static_cast<void>(os::confine({.read = {"/"},
-                                   .run = {"/usr", "/lib", "/lib64", os::program_folder()},
+                                   .run = {"/usr", "/lib", "/lib64", here, here.parent_path() / "libexec"},
                                    .written = {},
                                    .changed = {}}));
 }
@@ -66,7 +68,11 @@ int work(std::uint64_t memory_mb) {
             std::fprintf(stderr, "gsim-batch: %s\n", job.error().c_str());
             return 2;
         }
-        if (!answer(runner.run(*job))) return 2;  // nobody listens
+        const RunRow row = runner.run(*job);
+        // The engine catches what new throws: here it is the worker's bound.
+        if (row.status == "refused" && row.message.find("out of memory") != std::string::npos)
+            end_without_memory();
+        if (!answer(row)) return 2;  // nobody listens
     }
     return 0;
 }

@@ -8,7 +8,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,9 +61,16 @@ RunRow row_of_end(const Job& job, int status, bool timed_out, double timeout_s) 
                           ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
                           : fmt::format("its process ended with status {}", WEXITSTATUS(status));
     }
-    row.findings = "[]";
+    row.findings = nlohmann::json::array({{{"severity", "error"},
+                                           {"code", row.cause},
+                                           {"file", job.program},
+                                           {"line", nullptr},
+                                           {"column", nullptr},
+                                           {"end_column", nullptr},
+                                           {"text", row.message},
+                                           {"hint", nullptr}}})
+                       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     row.extents = "{}";
-    row.files = {};
     return row;
 }
 
@@ -70,6 +79,12 @@ RunRow row_of_end(const Job& job, int status, bool timed_out, double timeout_s) 
 WorkerPool::WorkerPool(PoolOptions options) : options_(std::move(options)) {
     // A worker that is gone shows where its output ends, not by a signal to this process.
     std::signal(SIGPIPE, SIG_IGN);
+    // Two of each worker's pipes are open here.
+    rlimit open{};
+    if (::getrlimit(RLIMIT_NOFILE, &open) == 0) {
+        open.rlim_cur = open.rlim_max;
+        ::setrlimit(RLIMIT_NOFILE, &open);
+    }
 }
 
 WorkerPool::~WorkerPool() {
@@ -149,6 +164,7 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
         if (!row || worker.jobs.empty() || row->number != worker.jobs.front().job.number) return false;
         rows.push_back(*std::move(row));
         worker.jobs.pop_front();
+        worker.has_answered = true;
         worker.begun = Clock::now();
     }
     worker.received.erase(0, begin);
@@ -162,9 +178,12 @@ tl::expected<void, std::string> WorkerPool::bury(std::list<Worker>::iterator wor
     const int status = os::wait_for(worker->child).value_or(0);
     std::deque<Given> jobs = std::move(worker->jobs);
     const bool timed_out = worker->timed_out;
+    // A run before it may have left the process damaged: it is tried once more.
+    const bool may_be_anothers = worker->has_answered && !jobs.empty() && jobs.front().tries == 0;
     workers_.erase(worker);
     if (jobs.empty()) return {};
-    if (timed_out || !was_ended_from_outside(status) || ++jobs.front().tries == kMostTries) {
+    if (timed_out || !(may_be_anothers || was_ended_from_outside(status)) ||
+        ++jobs.front().tries == kMostTries) {
         rows.push_back(row_of_end(jobs.front().job, status, timed_out, options_.timeout_s));
         jobs.pop_front();
     }
@@ -174,13 +193,11 @@ tl::expected<void, std::string> WorkerPool::bury(std::list<Worker>::iterator wor
     return {};
 }
 
-void WorkerPool::kill_late() {
+void WorkerPool::kill_if_late(Worker& worker) const {
     const std::chrono::duration<double> longest(options_.timeout_s);
-    for (Worker& worker : workers_) {
-        if (worker.jobs.empty() || worker.timed_out || Clock::now() - worker.begun < longest) continue;
-        worker.timed_out = true;
-        ::kill(worker.child, SIGKILL);
-    }
+    if (worker.jobs.empty() || worker.timed_out || Clock::now() - worker.begun < longest) return;
+    worker.timed_out = true;
+    ::kill(worker.child, SIGKILL);
 }
 
 std::chrono::milliseconds WorkerPool::until_timeout(std::chrono::milliseconds longest) const {
@@ -201,13 +218,14 @@ tl::expected<std::vector<RunRow>, std::string> WorkerPool::take(std::chrono::mil
         if (!worker.unsent.empty()) asked.push_back({worker.input.number(), POLLOUT, 0});
     }
     ::poll(asked.data(), asked.size(), static_cast<int>(until_timeout(longest_wait).count()));
-    kill_late();
     std::vector<RunRow> rows;
     for (auto worker = workers_.begin(); worker != workers_.end();) {
         const auto next = std::next(worker);
         send(*worker);
+        const bool goes_on = receive(*worker, rows);
+        kill_if_late(*worker);
         // What a run has begun itself may keep the output of one that was killed open.
-        if (worker->timed_out || !receive(*worker, rows)) {
+        if (worker->timed_out || !goes_on) {
             if (auto buried = bury(worker, rows); !buried) return Fault(buried.error());
         }
         worker = next;

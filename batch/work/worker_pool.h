@@ -59,6 +59,7 @@ class WorkerPool {
         std::string unsent = {};
         std::string received = {};
         bool timed_out = false;
+        bool has_answered = false;  ///< It has run a job to its end.
     };
 
     tl::expected<void, std::string> give_again(Given given);
@@ -67,7 +68,7 @@ class WorkerPool {
     /// Reads what there is; false at the end of its output.
     bool receive(Worker& worker, std::vector<RunRow>& rows);
     tl::expected<void, std::string> bury(std::list<Worker>::iterator worker, std::vector<RunRow>& rows);
-    void kill_late();
+    void kill_if_late(Worker& worker) const;
     std::chrono::milliseconds until_timeout(std::chrono::milliseconds longest) const;
 
     PoolOptions options_;

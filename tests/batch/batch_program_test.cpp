@@ -131,6 +131,59 @@ values = [50, 100]
     }
 }
 
+// Of the machine that is built in; and of one that the cell names, which is another setting.
+TEST_F(BatchProgram, SettingsReachTheMachineOfTheCellAndTheOneBuiltIn) {
+    write("m.toml", kSlide);
+    std::string fast = kSlide;
+    fast.replace(fast.find("s2 = 1000.0"), 11, "s2 = 2000.0");
+    write("fast.toml", fast);
+    write("cell.toml", "[cell]\nname = \"c\"\nmachine = \"m.toml\"\n");
+    write_programs(1);
+    write("plan.toml", R"(programs = "p0.ngc"
+[options]
+cell = "cell.toml"
+[[setting]]
+key = "cell.cell.machine"
+values = ["m.toml", "fast.toml"]
+[[setting]]
+key = "machine.axis.X.max_acceleration_mm_s2"
+values = [1.0, 0.5]
+scale = true
+)");
+    ASSERT_EQ(batch({"plan.toml"}).status, 0) << batch({}).out;
+    for (const auto& [job, acceleration] : {std::pair{0, 1000}, {1, 500}, {2, 2000}, {3, 1000}})
+        EXPECT_NEAR(number(fmt::format("SELECT cycle_time_s FROM latest WHERE job = {}", job)),
+                    time_s(10, 10, acceleration), 1e-9);
+    write("built-in.toml",
+          "programs = \"p0.ngc\"\ncontrollers = [\"exact-stop\", \"ab9\"]\n[options]\ndialect = "
+          "\"rs274ngc\"\n");
+    ASSERT_EQ(batch({"built-in.toml"}).status, 0) << batch({}).out;
+    EXPECT_EQ(number("SELECT count(DISTINCT controller) FROM latest"), 2);
+}
+
+// Two variants that are one, and programs that are named twice.
+TEST_F(BatchProgram, TheSameJobIsRunOnceWithinABatch) {
+    write("m.toml", kSlide);
+    write_programs(1);
+    write("plan.toml", R"(programs = ["p0.ngc", "*.ngc"]
+machines = ["m.toml", "m.toml"]
+[[setting]]
+key = "option.feed_override_percent"
+values = [50, 50, 100]
+)");
+    ASSERT_EQ(batch({"plan.toml"}).status, 0) << batch({}).out;
+    EXPECT_EQ(number("SELECT count(*) FROM latest"), 6);
+    EXPECT_EQ(number("SELECT count(*) FROM run"), 2);
+}
+
+// A module has no controller of ours, and runs in a process beside.
+TEST_F(BatchProgram, AModuleMayPlan) {
+    write_programs(1);
+    write("plan.toml",
+          "programs = \"p0.ngc\"\n[options]\ndialect = \"rs274ngc\"\nmodule = \"gsim_rcs_default\"\n");
+    EXPECT_EQ(batch({"plan.toml"}).status, 0) << batch({}).out;
+}
+
 TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
     write("m.toml", kSlide);
     write("good.ngc", "G21 F600\nG1 X10\nM2\n");
@@ -204,6 +257,9 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_THAT(batch({"plan.toml", "--machine", "m.toml"}).err, HasSubstr("a plan says itself"));
     EXPECT_THAT(batch({"p.ngc", "--results", "p.ngc"}).err, HasSubstr("p.ngc"));
     EXPECT_EQ(read("p.ngc"), "M2\n");
+    EXPECT_THAT(batch({"p.ngc", "--results", "r.sqlite", "--csv", "r.sqlite"}).err, HasSubstr("r.sqlite"));
+    EXPECT_THAT(batch({"p.ngc", "--results", "none/r.sqlite"}).err, HasSubstr("none"));
+    EXPECT_THAT(batch({"--slurm"}).err, HasSubstr("name a plan"));
 }
 
 #ifndef GSIM_SANITIZED  // which takes all addresses that there are

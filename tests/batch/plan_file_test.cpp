@@ -41,11 +41,11 @@ TEST_F(PlanFile, NamesFoldersFilesAndPatterns) {
 machines = ["m.toml", "router3"]
 )");
     ASSERT_TRUE(plan) << plan.error();
-    EXPECT_THAT(plan->programs,
-                ElementsAre(EndsWith("p/a.nc"), EndsWith("p/b.NGC"), EndsWith("p/deep/c.tap"),
-                            EndsWith("p/a.nc"), EndsWith("p/deep/c.tap"), EndsWith("p/notes.txt")));
+    EXPECT_THAT(plan->programs, ElementsAre(EndsWith("p/a.nc"), EndsWith("p/b.NGC"), EndsWith("p/deep/c.tap"),
+                                            EndsWith("p/notes.txt")))
+        << "each of them once";
     EXPECT_THAT(plan->machines, ElementsAre(EndsWith("/m.toml"), "router3"));
-    EXPECT_EQ(Jobs(*plan).size(), 12U);
+    EXPECT_EQ(Jobs(*plan).size(), 8U);
 }
 
 TEST_F(PlanFile, MakesAJobOfEachProgramMachineAndVariant) {
@@ -94,12 +94,39 @@ TEST_F(PlanFile, SaysWhereItIsWrong) {
     EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nvalues = []"), HasSubstr("a list of one at least"));
     EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 0"), HasSubstr("must not be less"));
     EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 2"), HasSubstr("as a grid needs"));
+    const std::string two = setting + "key = \"machine.a\"\nvalues = [1]\n";
+    EXPECT_THAT(refusal(two + "[[setting]]\nkey = \"machine.a\"\nvalues = [2]"), HasSubstr("is set twice"));
+    EXPECT_THAT(refusal(two + "steps = 2"), HasSubstr("'steps' says nothing beside 'values'"));
+    EXPECT_THAT(refusal(head + "[sampling]\nruns = 5"), HasSubstr("a grid has as many runs"));
+    const std::string normal = "key = \"machine.a\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n";
+    EXPECT_THAT(refusal(setting + normal + "from = 1\nto = 2"),
+                HasSubstr("'from' says nothing beside 'normal'"));
+    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\ndistribution = \"triangular\""),
+                HasSubstr("lacks the key 'from'"));
+    EXPECT_THAT(refusal(setting + "key = \"option.passes\"\nfrom = 1\nto = 2"),
+                HasSubstr("whole number from 1 on"));
     EXPECT_THAT(refusal(setting + "key = \"machine.a\""), HasSubstr("has 'values', or 'from' and 'to'"));
     EXPECT_THAT(refusal(setting + "key = \"option.passes\"\nvalues = [0]"),
                 HasSubstr("whole number from 1 on"));
     EXPECT_THAT(refusal(setting + "key = \"option.x\"\nvalues = [0]"), HasSubstr("there is no option 'x'"));
     EXPECT_THAT(refusal(setting + "key = \"data.OFFSET.54.X\"\nscale = true\nvalues = [2]"),
                 HasSubstr("factors are of"));
+}
+
+// What stands for others in a pattern may be in the name of a folder.
+TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
+    const fs::path odd = folder_ / "job [5] *";
+    fs::create_directories(odd / "deep");
+    std::ofstream(odd / "deep" / "x.nc") << "M2\n";
+    for (const char* pattern : {"*/*.nc", "**/*.nc", "deep"}) {
+        const auto plan =
+            read_plan(std::string("programs = \"") + pattern + "\"\n", (odd / "plan.toml").string());
+        ASSERT_TRUE(plan) << plan.error();
+        EXPECT_THAT(plan->programs, ElementsAre(EndsWith("job [5] */deep/x.nc")));
+    }
+    std::ofstream(odd / "\xe9.nc") << "M2\n";
+    EXPECT_THAT(read_plan("programs = \".\"\n", (odd / "plan.toml").string()).error(),
+                HasSubstr("not UTF-8"));
 }
 
 TEST_F(PlanFile, TakesDistributions) {

@@ -102,6 +102,40 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     ASSERT_TRUE(results->end_batch(true));
 }
 
+// A crash tells nothing of what was read: a run that came to its end is better.
+TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+    const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
+    RunRow lost = row_of(0);
+    lost.status = lost.cause = "timeout";
+    lost.files = {};
+    ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, lost, "v"));
+    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, *good);
+    hashes_["sub.nc"] = "3";
+    EXPECT_FALSE(results->find("k", hash_of(), false, false).value()->is_clean);
+    ASSERT_TRUE(results->end_batch(true));
+}
+
+// The results were removed while a cluster was at work: what it has is of no batch there.
+TEST_F(ResultsFile, AnotherBatchIsNotGoneOnWith) {
+    std::string token;
+    {
+        auto results = Results::open(file_);
+        ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+        token = results->token();
+        ASSERT_TRUE(results->end_batch(false));
+        ASSERT_TRUE(results->resume_batch(1, token));
+        ASSERT_TRUE(results->end_batch(false));
+    }
+    fs::remove(file_);
+    auto results = Results::open(file_);
+    EXPECT_FALSE(results->resume_batch(1, token));
+    ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+    ASSERT_TRUE(results->end_batch(false));
+    EXPECT_FALSE(results->resume_batch(1, token)) << "the same number, another batch";
+}
+
 TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results);
@@ -171,6 +205,12 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
         return file;
     };
     const std::vector<std::string> shards{file_with("a", 0, 3), file_with("b", 3, 5)};
+    // A task that was put back has begun a batch, and ended before it had noted a run.
+    {
+        auto again = Results::open(shards[0], Journal::rollback);
+        ASSERT_TRUE(again->begin_batch("plan", 3, "v"));
+        ASSERT_TRUE(again->end_batch(false));
+    }
     auto results = Results::open(file_, Journal::rollback);
     ASSERT_TRUE(results->begin_batch("plan", 5, "v"));
     for (int turn = 0; turn < 2; ++turn) {

@@ -118,6 +118,13 @@ served_page() {
     wait "$server"
 }
 
+# Twice, and nothing the second time.
+batch() {
+    (cd "$scratch" && for _ in 1 2; do bare "$bin/gsim-batch" --machine af5-measured --no-collisions "$samples/wheel.nc" || return; done)
+}
+check 'gsim-batch --version' '^gsim-batch [0-9]' bare "$bin/gsim-batch" --version
+check 'gsim-batch(1)' present present "$share/man/man1/gsim-batch.1"
+check 'many runs' '0 run in .* 1 there already; 0 failed' batch
 check 'completion for zsh' present present "$share"/zsh/*/_gsim
 check samples present present "$share/doc/gsim/samples/wheel.nc" "$share/doc/gsim/lua_lib/init.lua"
 check wheel '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"

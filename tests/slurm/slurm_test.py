@@ -144,8 +144,10 @@ class OnSlurm(unittest.TestCase):
         return found
 
     def test_rows_are_those_of_a_local_run(self):
-        status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite", "--shard-runs", "250", "--wait", "-q")
-        self.assertEqual(status, 0, said)
+        status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite", "--shard-runs", "250", "--wait", "-q", "--csv", "a.csv")
+        self.assertEqual(status, 1, said)  # two of the programs are wrong
+        self.assertIn("gathered", said)
+        self.assertEqual(len((self.work / "a.csv").read_text().splitlines()), len(self.wanted) + 1)
         self.check("a.sqlite")
         status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite")
         self.assertIn("nothing is to be run", said)
@@ -200,8 +202,10 @@ class OnSlurm(unittest.TestCase):
         status, said = self.batch("plan.toml", "--results", "e.sqlite")
         self.assertEqual(status, 2)
         self.assertIn("on a cluster", said)
-        self.batch("--cancel", "--results", "e.sqlite")
-        self.over("e.sqlite")
+        status, said = self.batch("--cancel", "--results", "e.sqlite")
+        self.assertIn(" 0 running, 0 waiting", said)
+        had = len(rows(self.work / "e.sqlite"))
+        self.assertGreater(had, 0)
         self.submit("e.sqlite")
         self.over("e.sqlite")
         self.check("e.sqlite")
