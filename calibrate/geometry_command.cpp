@@ -160,7 +160,7 @@ Done write_compensation(const GeometryArguments& arguments, const GeometryFit& f
     if (tables.empty()) return tl::unexpected<std::string>("no scale was found for a compensation table");
     for (const CompensationTable& table : tables) {
         const std::string file = fmt::format("{}-{}.comp", arguments.compensation, table.letter);
-        if (const auto done = os::write_file(file, table.text); !done) return done;
+        if (auto done = os::write_file(file, table.text); !done) return done;
     }
     return {};
 }

@@ -8,7 +8,7 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|bench'
+readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|calibrate|batch|bench'
 
 format() {
     local code=0

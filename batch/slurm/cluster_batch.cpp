@@ -87,8 +87,7 @@ std::uint64_t memory_for(const ClusterOptions& options, const ClusterLimits& lim
 }
 
 Done write_script(const fs::path& file, const std::string& words) {
-    const Done done =
-        os::write_file(file, fmt::format("#!/bin/sh\nexec {} {}\n", quoted(own_program()), words));
+    Done done = os::write_file(file, fmt::format("#!/bin/sh\nexec {} {}\n", quoted(own_program()), words));
     std::error_code error;
     if (done) fs::permissions(file, fs::perms::owner_all, error);
     if (error) return Fault(fmt::format("'{}': {}", file.string(), error.message()));
@@ -127,7 +126,7 @@ Done submit_jobs(const fs::path& folder, const ClusterOptions& options, const Cl
     auto job = submit_job(array, (folder / "task.sh").string());
     if (!job) return Fault(job.error());
     shards.array_job = *std::move(job);
-    if (const Done written = write_shards(folder, shards); !written) return written;
+    if (Done written = write_shards(folder, shards); !written) return written;
     std::vector<std::string> behind = common;
     behind.push_back("--job-name=gsim-gather");
     behind.push_back("--output=" + (folder / "gather.log").string());

@@ -126,11 +126,13 @@ SqlDone write_csv(Database& results, std::string_view query, const Sink& sink) {
     const auto columns = results.prepare(query);
     if (!columns) return Fault(columns.error());
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(columns->columns()));
     for (int column = 0; column < columns->columns(); ++column)
         names.push_back(quoted_csv(columns->name(column)));
     if (!sink(line_of(names))) return Fault("it cannot be written");
     return for_each_row(results, query, [&](const Statement& row) {
         std::vector<std::string> cells;
+        cells.reserve(static_cast<std::size_t>(row.columns()));
         for (int column = 0; column < row.columns(); ++column) {
             // As text SQLite has no more than 15 digits.
             cells.push_back(row.is_number(column) ? fmt::format("{}", row.number(column))
@@ -156,7 +158,7 @@ SqlDone write_junit(Database& results, const Sink& sink) {
         std::int64_t runs = 0, failed = 0;
     };
     std::vector<Suite> suites;
-    const auto counted = for_each_row(
+    auto counted = for_each_row(
         results,
         "SELECT machine, count(*), sum(status <> 'completed' OR cause <> '') FROM latest GROUP BY machine",
         [&](const Statement& row) {
@@ -187,7 +189,7 @@ SqlDone write_junit(Database& results, const Sink& sink) {
 SqlDone write_sarif(Database& results, const Sink& sink) {
     std::vector<engine::Diagnostic> diagnostics;
     std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, std::string, std::string>> known;
-    const auto gathered = for_each_row(
+    auto gathered = for_each_row(
         results, "SELECT findings FROM latest WHERE findings <> '[]'", [&](const Statement& row) {
             for (const json& told : json::parse(std::string(row.text(0)))) {
                 engine::Diagnostic one = diagnostic_in(told);

@@ -131,7 +131,7 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
 }
 
 SqlDone Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
-    if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
+    if (auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
     token_ = new_token();
     add.bind(1, token_).bind(2, plan).bind(3, version).bind(4, now_utc()).bind(5, as_whole(jobs));
@@ -228,7 +228,7 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
     put(std::string_view(row.extents));
     put(std::string_view(row.findings));
     put(std::optional(row.cpu_s));
-    const auto run = number_of(add);
+    auto run = number_of(add);
     if (!run) return run;
     for (const SettingValue& setting : job.settings) {
         statements_->setting.bind(1, *run).bind(2, setting.key);
@@ -254,7 +254,7 @@ SqlDone Results::add_inputs(std::int64_t run, const RunRow& row) {
         const auto input = number_of(statements_->input);
         if (!input) return Fault(input.error());
         statements_->run_input.bind(1, run).bind(2, *input);
-        if (const auto done = statements_->run_input.run(); !done) return done;
+        if (auto done = statements_->run_input.run(); !done) return done;
     }
     return {};
 }

@@ -118,7 +118,7 @@ tl::expected<std::uint64_t, std::string> Results::take_over(const std::string& f
         static_cast<void>(database_.execute("BEGIN IMMEDIATE"));
         return Fault(attach.error());
     }
-    const auto taken = [&]() -> tl::expected<std::uint64_t, std::string> {
+    auto taken = [&]() -> tl::expected<std::uint64_t, std::string> {
         if (const auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return Fault(begun.error());
         const auto pairs = lacking(database_, batch_);
         if (!pairs) return Fault(pairs.error());

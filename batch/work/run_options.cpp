@@ -100,6 +100,7 @@ tl::expected<void, std::string> check_option(std::string_view name, const json& 
     const RunOption* option = find_option(name);
     if (option == nullptr) {
         std::vector<std::string_view> names;
+        names.reserve(kOptions.size());
         for (const RunOption& each : kOptions) names.emplace_back(each.name);
         const auto nearest = text::nearest_name(name, names);
         return tl::unexpected(

@@ -131,7 +131,7 @@ tl::expected<void, std::string> WorkerPool::give_again(Given given) {
     const auto least = [](const Worker& a, const Worker& b) { return a.jobs.size() < b.jobs.size(); };
     auto worker = std::min_element(workers_.begin(), workers_.end(), least);
     if (worker == workers_.end() || (!worker->jobs.empty() && workers_.size() < options_.workers)) {
-        if (const auto begun = begin_worker(); !begun) return begun;
+        if (auto begun = begin_worker(); !begun) return begun;
         worker = std::prev(workers_.end());
     }
     if (worker->jobs.empty()) worker->begun = Clock::now();
