@@ -9,6 +9,17 @@ namespace {
 
 constexpr int kBusy_ms = 10'000;
 
+/// The name of a file that is never changed, as SQLite takes it (https://www.sqlite.org/uri.html).
+std::string immutable_uri(const std::string& file) {
+    std::string uri = "file:";
+    for (const char c : file) {
+        const bool plain = c == '/' || c == '.' || c == '-' || c == '_' || (c >= '0' && c <= '9') ||
+                           (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return uri + "?immutable=1";
+}
+
 int length_of(std::string_view text) {
     return static_cast<int>(text.size());
 }
@@ -98,9 +109,18 @@ double Statement::number(int column) const {
 }
 
 tl::expected<Database, std::string> Database::open(const std::string& file, bool for_reading) {
+    if (!for_reading) return open_by(file, file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    // Where the file may be written the files beside it go with the last who has it open.
+    auto database = open_by(file, file, SQLITE_OPEN_READWRITE);
+    if (!database || database->prepare("SELECT count(*) FROM sqlite_schema")) return database;
+    // Neither it nor its folder can be written: nobody changes it meanwhile.
+    return open_by(file, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+}
+
+tl::expected<Database, std::string> Database::open_by(const std::string& file, const std::string& name,
+                                                      int flags) {
     sqlite3* opened = nullptr;
-    const int flags = for_reading ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    const int status = sqlite3_open_v2(file.c_str(), &opened, flags, nullptr);
+    const int status = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
     Database database(opened);
     if (status != SQLITE_OK)
         return tl::unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));

@@ -70,6 +70,8 @@ class Database {
         void operator()(sqlite3* database) const;
     };
     explicit Database(sqlite3* database) : database_(database) {}
+    static tl::expected<Database, std::string> open_by(const std::string& file, const std::string& name,
+                                                       int flags);
 
     std::unique_ptr<sqlite3, Close> database_;
 };

@@ -237,6 +237,25 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
     }
 }
 
+// As it is copied to where nobody may write, with a name that a URI has to spell.
+TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
+    const fs::path odd = folder_ / "odd 50% #1?";
+    fs::create_directories(odd);
+    const std::string file = (odd / "r's.sqlite").string();
+    {
+        auto results = Results::open(file);
+        ASSERT_TRUE(results);
+        ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
+        ASSERT_TRUE(
+            results->note(0, results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v").value(), false));
+        ASSERT_TRUE(results->end_batch(true));
+    }
+    fs::permissions(file, fs::perms::owner_read);
+    fs::permissions(odd, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_THAT(text_of(file, write_junit), HasSubstr("tests=\"1\""));
+    fs::permissions(odd, fs::perms::owner_all);
+}
+
 TEST_F(ResultsFile, OfAnotherKindIsRefused) {
     std::ofstream(file_) << "no database, but long enough to be looked at as if it were one, with many words";
     const auto text = Results::open(file_);
