@@ -1,0 +1,80 @@
+#include "batch/arguments.h"
+
+namespace gsim::batch {
+
+void add_options(apps::CommandLine& line, Arguments& a) {
+    using apps::FileKind;
+    line.add("plan.toml|programs", &a.inputs,
+             "a plan, or part programs, folders of them and patterns; without any the results that are there "
+             "are told")
+        .of_file(FileKind::input, {".toml", ".nc", ".ngc"});
+    line.begin_group("Without a plan");
+    line.add("--machine", &a.machines, "machine file or name; as often as there are machines")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &a.machine_data, "machine data (NCFILE) of all runs")
+        .of_file(FileKind::input, {".txt"});
+    line.add("--cell", &a.cell, "cell file of all runs").of_file(FileKind::input, {".toml"});
+    line.add("--dialect", &a.dialect, "language of the programs; else as the machine files say")
+        .called("NAME");
+    line.add("--no-collisions", &a.no_collisions, "do not look for collisions and near misses");
+    line.begin_group("Results");
+    line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+        .of_file(FileKind::changed, {".sqlite"})
+        .called("FILE")
+        .shows_default();
+    line.add("--reports", &a.reports, "keep the whole report of each run, too");
+    line.add("--csv", &a.csv, "write the runs of this batch as CSV; -: standard output")
+        .of_file(FileKind::output, {".csv"});
+    line.add("--json-lines", &a.json_lines, "the same as JSON, an object a line")
+        .of_file(FileKind::output, {".jsonl"});
+    line.add("--junit", &a.junit, "write them as a test report (JUnit)").of_file(FileKind::output, {".xml"});
+    line.add("--sarif", &a.sarif, "write what is wrong with the programs as SARIF 2.1.0")
+        .of_file(FileKind::output, {".sarif"});
+    line.add("--statistics", &a.statistics,
+             "tell what the variants of each program come to: mean, percentiles and failures with their "
+             "intervals, "
+             "which settings count; and machines against the first one, program by program");
+    line.add("--statistics-json", &a.statistics_json, "write that as JSON, with histograms")
+        .of_file(FileKind::output, {".json"});
+    line.add("--page", &a.page, "write it as a page with pictures").of_file(FileKind::output, {".html"});
+    line.add("--since", &a.since, "with these: against the batch of that number, too; 0: the one before")
+        .called("BATCH");
+    line.add("-q,--quiet", &a.quiet, "no word on the way, no summary");
+    line.begin_group("How it is run");
+    line.add("-j,--workers", &a.workers, "processes that run programs at once")
+        .within(1, 4096)
+        .shows_default();
+    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
+        .called("MB")
+        .within(64, 1'000'000)
+        .shows("4096; on a cluster no more than its nodes have");
+    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
+        .called("SECONDS")
+        .within(0.01, 1e6)
+        .shows_default();
+    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    line.begin_group("On a cluster (Slurm)");
+    line.add("--slurm", &a.slurm,
+             "submit it: an array of tasks, each with a part of the runs in a file of its own beside the "
+             "results, and a "
+             "job that puts all together; what was lost of a batch before is all that the same command "
+             "submits again");
+    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
+    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
+    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
+        .within(1, 1024)
+        .shows_default();
+    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
+        .called("MINUTES");
+    line.add("--wait", &a.wait, "stay until all is put together");
+    line.add("--status", &a.status, "tell how far the batch is");
+    line.add("--cancel", &a.cancel, "end its tasks; what they have done is kept");
+    line.add_example("gsim-batch --machine mine.toml --machine other.toml programs/",
+                     "each program of a folder on two machines");
+    line.add_example("gsim-batch plan.toml --results nightly.sqlite --junit nightly.xml", "what a plan says");
+    line.add_example("gsim-batch plan.toml --slurm --results /shared/study.sqlite", "on a cluster");
+    line.add_example("gsim-batch --results nightly.sqlite --csv -", "the runs of the batch before, as CSV");
+    line.add_example("sqlite3 nightly.sqlite 'SELECT * FROM causes'", "why runs fail, and how many");
+}
+
+}  // namespace gsim::batch
