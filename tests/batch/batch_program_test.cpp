@@ -20,6 +20,12 @@ using apps::Ended;
 using nlohmann::json;
 using testing::HasSubstr;
 
+#ifdef GSIM_SANITIZED
+constexpr const char* kTimeout_s = "20";  // all else takes ten times as long, too
+#else
+constexpr const char* kTimeout_s = "1";
+#endif
+
 class BatchProgram : public apps::Apps {
   protected:
     Ended batch(const std::vector<std::string>& words) const {
@@ -192,8 +198,8 @@ TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
     write("endless.ngc", "G21 F600\no1 while [1]\nG1 X10\nG1 X0\no1 endwhile\nM2\n");
     write("empty.ngc", "");
     write("broken.toml", "[machine\n");
-    const Ended ended = batch({"--machine", "m.toml", "--machine", "broken.toml", ".", "--timeout", "1", "-j",
-                               "2", "--junit", "t.xml"});
+    const Ended ended = batch({"--machine", "m.toml", "--machine", "broken.toml", ".", "--timeout",
+                               kTimeout_s, "-j", "2", "--junit", "t.xml"});
     EXPECT_EQ(ended.status, 1) << ended.err;
     const auto status = [&](const std::string& program) {
         auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
