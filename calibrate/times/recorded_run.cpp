@@ -40,6 +40,8 @@ tl::expected<Columns, std::string> columns_of(const Cells& heading) {
 tl::expected<RecordedRun, std::string> run_in(const Cells& cells, const Columns& columns,
                                               const std::string& folder) {
     if (cells.size() <= columns.last()) return tl::unexpected<std::string>("a column is missing");
+    if (cells[columns.program].empty())
+        return tl::unexpected<std::string>("the name of the program is missing");
     const std::string_view time = columns.time ? cells[*columns.time] : "";
     const std::string_view record = columns.record ? cells[*columns.record] : "";
     const auto from_folder = [&](const std::string& name) {

@@ -41,6 +41,8 @@ TEST(RecordedRuns, SayWhichLineLacksWhat) {
     EXPECT_EQ(read_recorded_runs("a,b\n", "").error(),
               "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
     EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error(), "line 2: a column is missing");
+    EXPECT_EQ(read_recorded_runs("name,cycle_time_s\na,1\n,2\n", "").error(),
+              "line 3: the name of the program is missing");
     for (const char* time : {"soon", "", "0", "-1", "nan", "1e999", "1 s"}) {
         EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error(),
                   std::string("line 2: '") + time + "' should be a time above 0 s");
