@@ -69,19 +69,18 @@ tl::expected<Plan, std::string> plan_of_words(const Arguments& arguments) {
     return plan;
 }
 
+tl::expected<Plan, std::string> plan_of_file(const Arguments& arguments) {
+    const bool says_more = !arguments.machines.empty() || !arguments.machine_data.empty() ||
+                           !arguments.cell.empty() || !arguments.dialect.empty() || arguments.no_collisions;
+    if (says_more)
+        return tl::unexpected<std::string>(
+            "a plan says itself which machines and options there are; take those away");
+    return os::read_text_file(arguments.inputs.front(), os::NamedBy::command_line)
+        .and_then([&](const std::string& text) { return read_plan(text, arguments.inputs.front()); });
+}
+
 tl::expected<Plan, std::string> plan_of(const Arguments& arguments) {
-    auto plan = plan_of_words(arguments);
-    if (is_plan(arguments)) {
-        const bool says_more = !arguments.machines.empty() || !arguments.machine_data.empty() ||
-                               !arguments.cell.empty() || !arguments.dialect.empty() ||
-                               arguments.no_collisions;
-        if (says_more)
-            return tl::unexpected<std::string>(
-                "a plan says itself which machines and options there are; take those away");
-        const auto text = os::read_text_file(arguments.inputs.front(), os::NamedBy::command_line);
-        if (!text) return tl::unexpected(text.error());
-        plan = read_plan(*text, arguments.inputs.front());
-    }
+    auto plan = is_plan(arguments) ? plan_of_file(arguments) : plan_of_words(arguments);
     if (plan) plan->keeps_reports = plan->keeps_reports || arguments.reports;
     return plan;
 }

@@ -187,6 +187,12 @@ tl::expected<ClusterState, std::string> state_of_shards(const fs::path& folder, 
     return state;
 }
 
+tl::expected<Shards, std::string> submitted_shards(const fs::path& folder, const std::string& results) {
+    return read_shards(folder).map_error([&](const std::string& why) {
+        return fmt::format("no batch of '{}' was submitted: {}", results, why);
+    });
+}
+
 /// What an earlier submission has left, so that it is not run again.
 Done clear_earlier(const fs::path& folder) {
     if (!fs::exists(folder / "shards.json")) return {};
@@ -251,8 +257,8 @@ std::string why_not_here(const std::string& results) {
 
 tl::expected<ClusterState, std::string> ask_state(const std::string& results) {
     const fs::path folder = folder_of(fs::absolute(results).string());
-    const auto shards = read_shards(folder);
-    if (!shards) return Fault(fmt::format("no batch of '{}' was submitted: {}", results, shards.error()));
+    const auto shards = submitted_shards(folder, results);
+    if (!shards) return Fault(shards.error());
     return state_of_shards(folder, *shards);
 }
 
@@ -268,8 +274,8 @@ std::string to_text(const ClusterState& state) {
 
 tl::expected<ClusterState, std::string> cancel(const std::string& results) {
     const fs::path folder = folder_of(fs::absolute(results).string());
-    const auto shards = read_shards(folder);
-    if (!shards) return Fault(fmt::format("no batch of '{}' was submitted: {}", results, shards.error()));
+    const auto shards = submitted_shards(folder, results);
+    if (!shards) return Fault(shards.error());
     if (const auto cancelled = cancel_jobs({shards->gather_job, shards->array_job}); !cancelled)
         return Fault(cancelled.error());
     // Tasks let the runs that are under way come to their end.

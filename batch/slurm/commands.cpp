@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <memory>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "base/os/child_process.h"
+#include "base/os/file_handle.h"
 #include "base/text/trimmed.h"
 
 namespace gsim::batch {
@@ -17,14 +17,9 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
 /// What a program prints.
 tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command) {
-    const File in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
+    const os::FileHandle in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
     if (!in || !out) return Fault("cannot make a temporary file");
     if (const auto ran = os::run_child(command, in.get(), out.get()); !ran) return Fault(ran.error());
     std::string text;

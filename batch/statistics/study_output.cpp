@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/xml_text.h"
 #include "batch/statistics/study.h"
 
 namespace gsim::batch {
@@ -85,12 +86,6 @@ ordered_json json_of(const Comparison& comparison) {
         text["difference_s"] = json_of(comparison.difference_s);
     }
     return text;
-}
-
-std::string xml(std::string_view text) {
-    std::string safe;
-    for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return safe;
 }
 
 /// Bars of a histogram, with marks at the 5th, 50th and 95th percentile.
@@ -182,11 +177,11 @@ std::string to_json(const std::vector<Study>& studies, const std::vector<Compari
 std::string to_html(const std::vector<Study>& studies, const std::vector<Comparison>& comparisons) {
     std::string body;
     for (const Comparison& comparison : comparisons)
-        body += fmt::format("<pre>{}</pre>\n", xml(to_text(comparison)));
+        body += fmt::format("<pre>{}</pre>\n", text::xml_text(to_text(comparison)));
     for (std::size_t i = 0; i < std::min(studies.size(), kMostPages); ++i) {
-        body += fmt::format("<h2>{}</h2>\n", xml(studies[i].program));
+        body += fmt::format("<h2>{}</h2>\n", text::xml_text(studies[i].program));
         if (studies[i].time.count > 0) body += picture(studies[i]);
-        body += fmt::format("\n<pre>{}</pre>\n", xml(to_text(studies[i])));
+        body += fmt::format("\n<pre>{}</pre>\n", text::xml_text(to_text(studies[i])));
     }
     if (studies.size() > kMostPages)
         body += fmt::format("<p>{} more are in the JSON.</p>\n", studies.size() - kMostPages);

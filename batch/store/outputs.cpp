@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/xml_text.h"
 #include "engine/diagnostic.h"
 #include "engine/findings.h"
 
@@ -58,21 +59,6 @@ json value_in(const Statement& row, int column) {
     return value.is_discarded() ? json(text) : value;
 }
 
-std::string xml(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            // What XML has no character for.
-            default: safe += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
-        }
-    }
-    return safe;
-}
-
 std::string_view named(std::string_view machine) {
     return machine.empty() ? std::string_view("built-in machine") : machine;
 }
@@ -81,12 +67,14 @@ std::string junit_case(const Statement& row) {
     const std::string settings(row.text(6));
     std::string name(row.text(1));
     if (settings != "{}") name += " " + settings;
-    const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.3f}")",
-                                         xml(named(row.text(0))), xml(name), row.number(5));
+    const std::string head =
+        fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.3f}")",
+                    text::xml_text(named(row.text(0))), text::xml_text(name), row.number(5));
     if (row.text(2) == "completed" && row.text(3).empty()) return head + "/>\n";
     return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\">{}{}</failure>\n    </testcase>\n",
-                       head, xml(row.text(3).empty() ? row.text(2) : row.text(3)), xml(row.text(4)),
-                       xml(row.text(7)), row.whole(8) > 0 ? fmt::format(":{}", row.whole(8)) : std::string());
+                       head, text::xml_text(row.text(3).empty() ? row.text(2) : row.text(3)),
+                       text::xml_text(row.text(4)), text::xml_text(row.text(7)),
+                       row.whole(8) > 0 ? fmt::format(":{}", row.whole(8)) : std::string());
 }
 
 engine::Severity severity_of(const std::string& word) {
@@ -172,7 +160,7 @@ SqlDone write_junit(Database& results, const Sink& sink) {
     if (!cases) return Fault(cases.error());
     for (const Suite& suite : suites) {
         if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
-                              xml(named(suite.machine)), suite.runs, suite.failed)))
+                              text::xml_text(named(suite.machine)), suite.runs, suite.failed)))
             return Fault("it cannot be written");
         cases->bind(1, suite.machine);
         while (true) {

@@ -124,9 +124,7 @@ class Edits {
             text = text_of(engine::NameKind::machine, request_.machine);
         }
         if (!text) return Fault(text.error());
-        return edited_toml(*std::move(text), request_.machine, settings).map([&](std::string edited) {
-            files_.replace(request_.machine, std::move(edited));
-        });
+        return put(request_.machine, edited_toml(*std::move(text), request_.machine, settings));
     }
 
     tl::expected<void, std::string> cell() {
@@ -135,9 +133,7 @@ class Edits {
         if (request_.cell.empty()) return Fault("a setting of the cell needs a cell file (option 'cell')");
         auto text = text_of(engine::NameKind::sample, request_.cell);
         if (!text) return Fault(text.error());
-        return edited_toml(*std::move(text), request_.cell, settings).map([&](std::string edited) {
-            files_.replace(request_.cell, std::move(edited));
-        });
+        return put(request_.cell, edited_toml(*std::move(text), request_.cell, settings));
     }
 
     tl::expected<void, std::string> data() {
@@ -145,11 +141,14 @@ class Edits {
         if (settings.empty()) return {};
         if (request_.machine_data.empty())
             return Fault("a setting of machine data needs a file of them (option 'machine_data')");
-        auto text = text_of(engine::NameKind::sample, request_.machine_data);
+        const auto text = text_of(engine::NameKind::sample, request_.machine_data);
         if (!text) return Fault(text.error());
-        return edited_data(*text, request_.machine_data, settings).map([&](std::string edited) {
-            files_.replace(request_.machine_data, std::move(edited));
-        });
+        return put(request_.machine_data, edited_data(*text, request_.machine_data, settings));
+    }
+
+    tl::expected<void, std::string> put(const std::string& name,
+                                        tl::expected<std::string, std::string> edited) {
+        return std::move(edited).map([&](std::string text) { files_.replace(name, std::move(text)); });
     }
 
     const Job& job_;

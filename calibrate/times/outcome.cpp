@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/xml_text.h"
 #include "calibrate/text/svg_head.h"
 #include "runtime/machine/machine_file.h"
 
@@ -46,20 +47,6 @@ std::string value_of(const FittedParameter& parameter) {
         return fmt::format("{:.6g}, of which these runs tell nothing by itself", parameter.value);
     return fmt::format("{:.6g}, to {:.2g} % (one standard deviation)", parameter.value,
                        100 * parameter.spread);
-}
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '<') {
-            safe += "&lt;";
-        } else if (c == '&') {
-            safe += "&amp;";
-        } else {
-            safe += static_cast<unsigned char>(c) < ' ' ? '?' : c;
-        }
-    }
-    return safe;
 }
 
 std::vector<std::size_t> worst_first(const Fit& fit, std::span<const RecordedRun> runs) {
@@ -161,7 +148,7 @@ std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs) {
         const double error = error_percent(fit, runs, i);
         const double length = std::abs(error) / most * kHalf;
         svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n", kLeft - 8,
-                           y + 11, escaped(name_of(runs[i])));
+                           y + 11, text::xml_text(name_of(runs[i])));
         svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"12\" fill=\"{}\"/>\n",
                            error < 0 ? middle - length : middle, y + 1, std::max(length, 0.5),
                            error < 0 ? "#0072b2" : "#d55e00");

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/os/child_process.h"
+#include "base/os/file_handle.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::accuracy {
@@ -19,11 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 std::string read_all(std::FILE* file) {
     std::string text;
@@ -36,9 +32,9 @@ std::string read_all(std::FILE* file) {
 
 tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
                                                  const fs::path& input) {
-    const File in(std::fopen(input.c_str(), "rb"));
+    const os::FileHandle in(std::fopen(input.c_str(), "rb"));
     if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
-    const File out(std::tmpfile());
+    const os::FileHandle out(std::tmpfile());
     if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
     const auto ran = os::run_child(command, in.get(), out.get());
     std::string printed = read_all(out.get());
