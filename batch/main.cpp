@@ -26,6 +26,7 @@
 #include "batch/slurm/cluster_batch.h"
 #include "batch/statistics/study.h"
 #include "batch/store/outputs.h"
+#include "batch/store/results.h"
 #include "batch/work/worker.h"
 
 namespace gsim::batch {
@@ -146,6 +147,7 @@ Done write_statistics(const Arguments& arguments, Database& results) {
 }
 
 Done write_outputs(const Arguments& arguments) {
+    bring_up_to_date(arguments.results);
     auto results = Database::open(arguments.results, true);
     if (!results) return tl::unexpected(results.error());
     const auto csv = [](Database& from, const Sink& sink) { return write_csv(from, kPlainRuns, sink); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,6 +13,12 @@
 #include "engine/request.h"
 
 namespace gsim::engine {
+
+/// A frame in another one: roll about Z, pitch about Y, yaw about X, R = Rz Ry Rx.
+struct FramePose {
+    std::array<double, 3> origin_mm = {};
+    std::array<double, 3> rpy_deg = {};
+};
 
 /// What was found of a machine without a program.
 struct MachineCheck {
@@ -43,8 +50,13 @@ class GSIM_API Machine {
     const std::string& machine_file() const;
     /// Of machine data, which the request or the cell names; empty: none.
     const std::string& machine_data_file() const;
+    /// The language that it reads, as the machine file says; empty: it does not.
+    const std::string& dialect() const;
     /// As a machine file.
     std::string file() const;
+    /// Where a frame or an object of the cell stands in the work frame, behind read_bodies(). The error:
+    /// there is none of that name, or it does not go along with the work.
+    tl::expected<FramePose, Failure> frame_in_work(const std::string& name) const;
 
     /// Limits, inverse, singular ranges, collisions of its bodies whatever the joints do.
     tl::expected<MachineCheck, Failure> check() const;

@@ -76,6 +76,10 @@ class GSIM_API Segment {
     /// `t_s` counts from the segment's start; both are exact.
     AxisValues axes_at(double t_s) const;
     double speed_mm_s(double t_s) const;
+    /// The greatest share of its own limit (max_speed of the machine file) that the speed of an axis comes
+    /// to; 0 where none has a limit. Exact on straight ways, on others the greatest of nine instants of each
+    /// smooth part.
+    double peak_axis_speed_share() const;
 
   private:
     const motion::Segment* exact_;

@@ -13,6 +13,7 @@
 
 #include "engine/api.h"
 #include "engine/diagnostic.h"
+#include "engine/machine.h"
 #include "engine/request.h"
 #include "engine/run.h"
 
@@ -22,6 +23,22 @@ namespace gsim::engine {
 /// are counted from; with all offsets taken back; in machine coordinates; or, of paths that no run has
 /// recorded, as the numbers are.
 enum class Offsets : std::uint8_t { as_path, keep, none, machine };
+
+/// What of a path is to be otherwise than in its file.
+struct PathChanges {
+    /// The path goes along with a frame that stood at `from` and is put to `to` (in the work frame), and
+    /// within that by `place`: a point p comes to `to` `place` `from`^-1 p.
+    FramePose from = {}, to = {}, place = {};
+    /// Of the root's targets, which have to be sub-paths, by their places in the file from 0; empty: as it
+    /// is.
+    std::vector<std::size_t> order = {};
+    struct Feed {
+        std::string path = {};  ///< A name; empty: of all paths.
+        double value = 1;       ///< Above 0: mm/min, or a factor of what the path has.
+        bool is_factor = true;
+    };
+    std::vector<Feed> feeds = {};
+};
 
 /// What is written as a part program, and how. Names are those of files, or what Host::find finds.
 struct PathRequest {
@@ -34,6 +51,7 @@ struct PathRequest {
     std::string machine = {};  ///< Empty: the one built in.
     std::string machine_data = {};  ///< Where fixed points lie; empty: none, or what `machine` has of them.
     std::string program_name = {};  ///< {program} of the post; empty: the path's name.
+    PathChanges changes = {};
     std::optional<bool> rotary_as_given = {};  ///< Left out: of recorded paths, else the least turn.
     std::optional<Offsets> offsets = {};       ///< Left out: keep for recorded paths, else as_path.
     /// Of paths that no run has recorded and that name none: the work coordinate system ("G55"), where the

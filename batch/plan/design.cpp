@@ -77,6 +77,11 @@ Design::Design(std::vector<Setting> settings, const DesignOptions& options)
         for (const Setting& setting : settings_) size_ *= values_of(setting);
         return;
     }
+    if (sampling_ == Sampling::listed) {
+        listed_ = options.listed;
+        size_ = listed_.size();
+        return;
+    }
     size_ = options.runs;
     switch (sampling_) {
         case Sampling::random: shares_ = random_shares(settings_.size(), size_, options.seed); break;
@@ -84,28 +89,32 @@ Design::Design(std::vector<Setting> settings, const DesignOptions& options)
             shares_ = hypercube_shares(settings_.size(), size_, options.seed);
             break;
         case Sampling::sobol: shares_ = sobol_shares(settings_.size(), size_, options.seed); break;
+        case Sampling::listed:
         case Sampling::grid: break;
     }
 }
 
 std::vector<SettingValue> Design::variant(std::uint64_t number) const {
     if (sampling_ == Sampling::grid) return of_grid(number);
+    if (sampling_ == Sampling::listed) return listed_[number];
     std::vector<SettingValue> values;
     for (std::size_t i = 0; i < settings_.size(); ++i)
-        values.push_back({settings_[i].key,
-                          value_at(settings_[i].domain, shares_[number * settings_.size() + i]),
-                          settings_[i].is_factor});
+        add_values(settings_[i], value_at(settings_[i].domain, shares_[number * settings_.size() + i]),
+                   values);
     return values;
 }
 
 // The last setting changes from one to the next.
 std::vector<SettingValue> Design::of_grid(std::uint64_t number) const {
-    std::vector<SettingValue> values(settings_.size());
+    std::vector<std::size_t> places(settings_.size());
     for (std::size_t i = settings_.size(); i-- > 0;) {
-        const auto& choices = std::get<Choices>(settings_[i].domain).values;
-        values[i] = {settings_[i].key, choices[number % choices.size()], settings_[i].is_factor};
-        number /= choices.size();
+        const std::size_t count = values_of(settings_[i]);
+        places[i] = number % count;
+        number /= count;
     }
+    std::vector<SettingValue> values;
+    for (std::size_t i = 0; i < settings_.size(); ++i)
+        add_values(settings_[i], std::get<Choices>(settings_[i].domain).values[places[i]], values);
     return values;
 }
 

@@ -15,6 +15,7 @@ enum class Sampling : std::uint8_t {
     random,           ///< Each by lot.
     latin_hypercube,  ///< By lot, but each setting has one value in each of as many equal parts as there are
                       ///< runs.
+    listed,           ///< Those that DesignOptions has.
     sobol,  ///< The sequence of Sobol: even in all dimensions, the first of them as good as few can be.
 };
 
@@ -23,6 +24,7 @@ struct DesignOptions {
     Sampling sampling = Sampling::grid;
     std::uint64_t runs = 0;  ///< Of all but a grid.
     std::uint64_t seed = 1;
+    std::vector<std::vector<SettingValue>> listed = {};
 };
 
 /// The variants of a batch: each has a value of each setting. The same options give the same ones, on any
@@ -40,6 +42,7 @@ class Design {
     std::vector<Setting> settings_;
     Sampling sampling_;
     std::uint64_t size_ = 1;
+    std::vector<std::vector<SettingValue>> listed_;
     std::vector<double> shares_;  ///< Of all settings of the first variant, of the second one, ...
 };
 

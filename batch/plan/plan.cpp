@@ -12,6 +12,7 @@
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
 #include "base/text/utf8.h"
+#include "batch/work/path_job.h"
 
 namespace gsim::batch {
 
@@ -27,7 +28,7 @@ constexpr std::array<std::string_view, 15> kEndings{".nc",    ".ngc", ".ncd", ".
 
 bool is_program(const fs::path& file) {
     const std::string ending = text::lower(file.extension().string());
-    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() || is_path(file.string());
 }
 
 bool is_pattern(const std::string& name) {

@@ -40,15 +40,22 @@ class Jobs {
 };
 
 /// What a folder or a pattern (`*`, `?`, `[...]`, `**` for folders in folders) means: part programs by their
-/// endings (.nc, .ngc, .tap, .cnc, .gcode, .lua and others, in any case), in the order of their names. A file
-/// is itself, whatever its ending. Names are from `folder`. The error: there is none, or it is not UTF-8.
+/// endings (.nc, .ngc, .tap, .cnc, .gcode, .lua, .path.json and others, in any case), in the order of their
+/// names. A file is itself, whatever its ending. Names are from `folder`. The error: there is none, or it is
+/// not UTF-8.
 tl::expected<std::vector<std::string>, std::string> find_programs(const std::string& name,
                                                                   const std::filesystem::path& folder = {});
 
 /// Adds those that are not there yet.
 void add_programs(Plan& plan, const std::vector<std::string>& files);
 
-/// Reads a plan (docs/batch.md). Files are named from its folder. The error begins with its place.
-tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name);
+/// What a plan is read for: a search takes values of settings between their bounds, whatever is to be
+/// sampled.
+enum class PlanUse : std::uint8_t { batch, search };
+
+/// Reads a plan (docs/batch.md), without what it says of a search. Files are named from its folder. The error
+/// begins with its place.
+tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
+                                          PlanUse use = PlanUse::batch);
 
 }  // namespace gsim::batch

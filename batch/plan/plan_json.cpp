@@ -21,10 +21,27 @@ json json_of(const Triangular& triangle) {
     return {{"triangular", {triangle.from, triangle.to, triangle.mode}}};
 }
 
+json json_of(const Order& order) {
+    return {{"order", order.count}};
+}
+
+json json_of(const std::vector<SettingValue>& values) {
+    json list = json::array();
+    for (const SettingValue& value : values) list.push_back({value.key, value.value, value.use});
+    return list;
+}
+
+std::vector<SettingValue> variant_in(const json& list) {
+    std::vector<SettingValue> values;
+    for (const json& value : list) values.push_back({value.at(0), value.at(1), value.at(2)});
+    return values;
+}
+
 Domain domain_in(const json& one) {
     if (one.contains("values")) return Choices{one.at("values").get<std::vector<json>>()};
     if (one.contains("uniform")) return Uniform{one.at("uniform").at(0), one.at("uniform").at(1)};
     if (one.contains("normal")) return Normal{one.at("normal").at(0), one.at("normal").at(1)};
+    if (one.contains("order")) return Order{one.at("order")};
     const json& triangle = one.at("triangular");
     return Triangular{triangle.at(0), triangle.at(1), triangle.at(2)};
 }
@@ -35,12 +52,21 @@ std::string print_plan_json(const Plan& plan) {
     json settings = json::array();
     for (const Setting& setting : plan.settings)
         settings.push_back(
-            {{"key", setting.key},
-             {"factor", setting.is_factor},
+            {{"keys", setting.keys},
+             {"use", setting.use},
              {"domain", std::visit([](const auto& one) { return json_of(one); }, setting.domain)}});
-    return json{{"name", plan.name},        {"programs", plan.programs}, {"machines", plan.machines},
-                {"options", plan.options},  {"settings", settings},      {"sampling", plan.design.sampling},
-                {"runs", plan.design.runs}, {"seed", plan.design.seed},  {"reports", plan.keeps_reports}}
+    json listed = json::array();
+    for (const auto& variant : plan.design.listed) listed.push_back(json_of(variant));
+    return json{{"name", plan.name},
+                {"listed", listed},
+                {"programs", plan.programs},
+                {"machines", plan.machines},
+                {"options", plan.options},
+                {"settings", settings},
+                {"sampling", plan.design.sampling},
+                {"runs", plan.design.runs},
+                {"seed", plan.design.seed},
+                {"reports", plan.keeps_reports}}
         .dump(1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -53,8 +79,8 @@ tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
         read.at("machines").get_to(plan.machines);
         plan.options = read.at("options");
         for (const json& setting : read.at("settings"))
-            plan.settings.push_back(
-                {setting.at("key"), domain_in(setting.at("domain")), setting.at("factor")});
+            plan.settings.push_back({setting.at("keys"), domain_in(setting.at("domain")), setting.at("use")});
+        for (const json& variant : read.at("listed")) plan.design.listed.push_back(variant_in(variant));
         read.at("sampling").get_to(plan.design.sampling);
         read.at("runs").get_to(plan.design.runs);
         read.at("seed").get_to(plan.design.seed);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -39,7 +42,27 @@ json value_of(const Triangular& triangle, double share) {
     return triangle.to - std::sqrt((1 - share) * width * (width - rise));
 }
 
+/// Orders are numbered by Lehmer's code, the first thing counting most.
+json value_of(const Order& order, double share) {
+    std::vector<std::size_t> left(order.count);
+    std::iota(left.begin(), left.end(), std::size_t{0});
+    json list = json::array();
+    double rest = share;
+    while (!left.empty()) {
+        const double places = rest * static_cast<double>(left.size());
+        const auto place = std::min(static_cast<std::size_t>(places), left.size() - 1);
+        rest = places - static_cast<double>(place);
+        list.push_back(left[place]);
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+    }
+    return list;
+}
+
 }  // namespace
+
+void add_values(const Setting& setting, const json& value, std::vector<SettingValue>& values) {
+    for (const std::string& key : setting.keys) values.push_back({key, value, setting.use});
+}
 
 json value_at(const Domain& domain, double share) {
     return std::visit([share](const auto& one) { return value_of(one, share); }, domain);

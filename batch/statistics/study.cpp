@@ -38,12 +38,12 @@ tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> r
     }
 }
 
-/// A setting as a number: one that is, or a factor ("x 1.1").
+/// A setting as a number: one that is, a factor ("x 1.1") or what is added ("+ 1.1").
 std::optional<double> number_in(const json& value) {
     if (value.is_number()) return value.get<double>();
     if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
     const auto* text = value.get_ptr<const std::string*>();
-    if (text == nullptr || !text->starts_with("x ")) return std::nullopt;
+    if (text == nullptr || (!text->starts_with("x ") && !text->starts_with("+ "))) return std::nullopt;
     const json factor = json::parse(text->substr(2), nullptr, false);
     return factor.is_number() ? std::optional(factor.get<double>()) : std::nullopt;
 }
@@ -61,6 +61,11 @@ Sensitivity sensitivity_of(const Runs& completed) {
     std::vector<std::vector<double>> settings;
     for (auto& [name, column] : columns) {
         if (column.size() != times_s.size()) continue;  // a text in some of them
+        // Keys that get the same values are one setting.
+        if (const auto same = std::find(settings.begin(), settings.end(), column); same != settings.end()) {
+            names[static_cast<std::size_t>(same - settings.begin())] += " = " + name;
+            continue;
+        }
         names.push_back(name);
         settings.push_back(std::move(column));
     }

@@ -26,7 +26,8 @@ inline constexpr std::string_view kPlainRuns =
     "file, line, "
     "cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
     "violations, "
-    "collisions, process_findings, warnings, energy_j, extents, cpu_s, reused, ran_at, version, key FROM "
+    "collisions, process_findings, warnings, energy_j, clearance_mm, deviation_mm, joint_speed_share, "
+    "lower_bound_s, extents, cpu_s, reused, ran_at, version, key FROM "
     "latest";
 
 /// The latest batch as JUnit has it: a suite for each machine, a case for each run.

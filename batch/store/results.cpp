@@ -38,10 +38,17 @@ tl::expected<std::int64_t, std::string> ask(Database& database, const char* quer
     return *row ? asked->whole(0) : 0;
 }
 
+/// What version 2 has more.
+std::string second_version() {
+    std::string sql = kSearches;
+    for (const char* figure : kFiguresOf2)
+        sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", figure);
+    return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
+}
+
 SqlDone make_tables(Database& database) {
-    return database.execute(
-        fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;", kSchema,
-                    kApplication, kSchemaVersion));
+    return database.execute(fmt::format("BEGIN; {} PRAGMA application_id = {}; {} COMMIT;", kSchema,
+                                        kApplication, second_version()));
 }
 
 /// A new file gets its tables, another one has to have them.
@@ -52,9 +59,17 @@ SqlDone check_or_make(Database& database) {
     const auto application = ask(database, "PRAGMA application_id");
     const auto version = ask(database, "PRAGMA user_version");
     if (!application || *application != kApplication) return Fault("it is no file of results");
+    if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", second_version()));
     if (!version || *version != kSchemaVersion)
         return Fault("it is of another version of this program; take a new file");
     return {};
+}
+
+/// Of what a database says that it is, and of which version.
+bool is_of_version(Database& database, std::int64_t version) {
+    const auto application = ask(database, "PRAGMA application_id");
+    return application && *application == kApplication &&
+           ask(database, "PRAGMA user_version").value_or(0) == version;
 }
 
 /// Of a statement that gives one row with one number.
@@ -73,6 +88,12 @@ bool may_go_better(std::string_view status, std::string_view message) {
 }
 
 }  // namespace
+
+void bring_up_to_date(const std::string& file) {
+    auto before = Database::open(file, true);
+    if (!before || !is_of_version(*before, 1)) return;
+    if (auto database = Database::open(file)) static_cast<void>(check_or_make(*database));
+}
 
 struct Results::Statements {
     Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, note;
@@ -116,10 +137,10 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
             "controller, options, settings, version, ran_at, status, cause, message, file, line, "
             "cycle_time_s, "
             "least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
-            "violations, collisions, process_findings, warnings, energy_j, extents, findings, cpu_s) VALUES "
+            "violations, collisions, process_findings, warnings, energy_j, extents, findings, cpu_s, "
+            "clearance_mm, deviation_mm, joint_speed_share, lower_bound_s) VALUES "
             "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-            "?, ?, "
-            "?, ?) RETURNING id"),
+            "?, ?, ?, ?, ?, ?, ?, ?) RETURNING id"),
         prepared("INSERT INTO setting (run, name, value) VALUES (?, ?, ?)"),
         prepared(
             "INSERT INTO input (file, sha256) VALUES (?, ?) ON CONFLICT (file, sha256) DO UPDATE SET file = "
@@ -227,7 +248,9 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
     put(row.energy_j);
     put(std::string_view(row.extents));
     put(std::string_view(row.findings));
-    put(std::optional(row.cpu_s));
+    for (const std::optional<double> figure : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
+                                               row.joint_speed_share, row.lower_bound_s})
+        put(figure);
     auto run = number_of(add);
     if (!run) return run;
     for (const SettingValue& setting : job.settings) {

@@ -31,6 +31,10 @@ enum class Journal : std::uint8_t {
     rollback,     ///< For file systems that machines share.
 };
 
+/// Gives a file of results of an earlier version what this one has more, before it is read alone. One that
+/// cannot be changed, or is none, stays as it is.
+void bring_up_to_date(const std::string& file);
+
 /// Runs in a file of SQLite (docs/batch.md tells of its tables). One process at a time writes; any number
 /// reads meanwhile.
 class Results {

@@ -1,13 +1,32 @@
 #pragma once
 
+#include <array>
+
 namespace gsim::batch {
 
 /// Of the tables below; a file has it as PRAGMA user_version.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 /// "gsim" as PRAGMA application_id.
 inline constexpr int kApplication = 0x6773696d;
 
-/// Tables and views (docs/batch.md).
+/// What version 2 has more, beside the columns of kFiguresOf2: searches, and what came of each run for them.
+inline constexpr const char* kSearches = R"(
+CREATE TABLE search (
+  id INTEGER PRIMARY KEY, plan TEXT NOT NULL, objective TEXT NOT NULL, seed INTEGER NOT NULL, began_at TEXT NOT NULL, ended_at TEXT,
+  start_run INTEGER REFERENCES run, best_run INTEGER REFERENCES run
+);
+CREATE TABLE search_run (
+  search INTEGER NOT NULL REFERENCES search, number INTEGER NOT NULL, run INTEGER NOT NULL REFERENCES run,
+  generation INTEGER NOT NULL, value REAL, violation REAL NOT NULL, PRIMARY KEY (search, number)
+) WITHOUT ROWID;
+CREATE VIEW evaluations AS
+  SELECT search_run.number, search_run.generation, search_run.value, search_run.violation, run.* FROM search_run
+  JOIN run ON run.id = search_run.run WHERE search_run.search = (SELECT max(id) FROM search) ORDER BY search_run.number;
+)";
+/// Columns of `run` that version 2 has more.
+inline constexpr std::array kFiguresOf2{"clearance_mm", "deviation_mm", "joint_speed_share", "lower_bound_s"};
+
+/// Tables and views of version 1 (docs/batch.md).
 inline constexpr const char* kSchema = R"(
 CREATE TABLE run (
   id INTEGER PRIMARY KEY,

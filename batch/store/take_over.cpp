@@ -18,7 +18,7 @@ constexpr const char* kColumns =
     "rapid_mm, "
     "feed_mm, jet_on_mm, blocks, moves, violations, collisions, process_findings, warnings, energy_j, "
     "extents, "
-    "findings, cpu_s";
+    "findings, cpu_s, clearance_mm, deviation_mm, joint_speed_share, lower_bound_s";
 
 struct Pair {
     std::int64_t job = 0, run = 0;

@@ -4,10 +4,10 @@
 #include <array>
 #include <charconv>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/toml/toml_edit.h"
-#include "batch/work/run_options.h"
+#include "batch/work/path_job.h"
 #include "engine/machine_data.h"
 
 namespace gsim::batch {
@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 using Fault = tl::unexpected<std::string>;
 
-constexpr std::array kKinds{kOfMachine, kOfCell, kOfData, kOfRun};
+constexpr std::array kKinds{kOfMachine, kOfCell, kOfRobots, kOfData, kOfPath, kOfRun};
 /// What an element of a list is called by.
 constexpr std::array kNames{"letter", "name", "on"};
 
@@ -75,10 +75,13 @@ tl::expected<Found, std::string> find(const json& document, const std::string& k
 }
 
 tl::expected<json, std::string> value_of(const SettingValue& setting, const json* old) {
-    if (!setting.is_factor) return setting.value;
+    if (setting.use == SettingUse::set) return setting.value;
+    const auto value = setting.value.get<double>();
+    if (setting.use == SettingUse::shift && old == nullptr) return value;  // what is not said is 0
     if (old == nullptr || !old->is_number())
-        return Fault(fmt::format("'{}': a factor needs a number in the file", setting.key));
-    return old->get<double>() * setting.value.get<double>();
+        return Fault(fmt::format("'{}': {} needs a number in the file", setting.key,
+                                 setting.use == SettingUse::factor ? "a factor" : "what is added"));
+    return setting.use == SettingUse::factor ? old->get<double>() * value : old->get<double>() + value;
 }
 
 std::string written(const json& value) {
@@ -103,12 +106,13 @@ std::string fault_of_key(const std::string& key) {
     const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                    [&](std::string_view each) { return key.starts_with(each); });
     if (kind == kKinds.end())
-        return fmt::format("'{}' should begin with 'machine.', 'cell.', 'data.' or 'option.'", key);
+        return fmt::format("'{}' should begin with '{}'", key, fmt::join(kKinds, "', '"));
     const std::vector<std::string> words = words_of(std::string_view(key).substr(kind->size()));
     if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); }))
         return fmt::format("'{}' has an empty name between its dots", key);
     if (*kind == kOfData && words.size() != 3)
         return fmt::format("'{}' should be data.SECTION.ID.FIELD, as data.OFFSET.54.X", key);
+    if (*kind == kOfPath) return fault_of_path_key(key.substr(kind->size()));
     if (*kind == kOfRun && words.size() != 1) return fmt::format("'{}' is no option", key);
     return {};
 }
@@ -134,8 +138,9 @@ tl::expected<std::string, std::string> edited_data(std::string_view text, const 
     if (!data) return Fault(data.error().message);
     for (const SettingValue& setting : settings) {
         const std::vector<std::string> words = words_of(setting.key);
-        if (setting.is_factor)
-            return Fault(fmt::format("'{}': machine data take values, no factors", setting.key));
+        if (setting.use != SettingUse::set)
+            return Fault(
+                fmt::format("'{}': machine data take values, no factors and nothing added", setting.key));
         const std::string change = words[2] + "=" + written(setting.value);
         if (const auto set = data->set(words[0], words[1], {&change, 1}); !set)
             return Fault(fmt::format("{}: {}", file, set.error().message));

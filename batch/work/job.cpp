@@ -9,7 +9,7 @@ using nlohmann::json;
 std::string print_job(const Job& job) {
     json settings = json::array();
     for (const SettingValue& setting : job.settings)
-        settings.push_back({setting.key, setting.value, setting.is_factor});
+        settings.push_back({setting.key, setting.value, setting.use});
     return json{{"number", job.number},   {"program", job.program}, {"machine", job.machine},
                 {"options", job.options}, {"settings", settings},   {"report", job.keeps_report}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
@@ -35,10 +35,10 @@ tl::expected<Job, std::string> read_job(std::string_view line) {
 nlohmann::ordered_json settings_json(const std::vector<SettingValue>& settings) {
     nlohmann::ordered_json text = nlohmann::ordered_json::object();
     for (const SettingValue& setting : settings) {
-        if (setting.is_factor) {
-            text[setting.key] = "x " + setting.value.dump();
-        } else {
-            text[setting.key] = setting.value;
+        switch (setting.use) {
+            case SettingUse::set: text[setting.key] = setting.value; break;
+            case SettingUse::factor: text[setting.key] = "x " + setting.value.dump(); break;
+            case SettingUse::shift: text[setting.key] = "+ " + setting.value.dump(); break;
         }
     }
     return text;

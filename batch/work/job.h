@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,13 +11,21 @@
 
 namespace gsim::batch {
 
+/// What becomes of the value that a file has.
+enum class SettingUse : std::uint8_t {
+    set,     ///< The setting's value takes its place,
+    factor,  ///< is multiplied with it,
+    shift,   ///< or added to it.
+};
+
 /// One value of a setting. Its key says of what: `machine.axis.X.max_speed_mm_s` of the machine file (an
 /// element of a list by its place, its letter or its name), `cell.object.post.frame.x_mm` of the cell file,
-/// `data.OFFSET.54.X` of the machine data, `option.feed_override_percent` of the run.
+/// `robots.robot.left.base.x_mm` of the file of robots, `data.OFFSET.54.X` of the machine data,
+/// `path.place.x_mm` of a path, `option.feed_override_percent` of the run.
 struct SettingValue {
     std::string key;
     nlohmann::json value;
-    bool is_factor = false;  ///< Of what the file has there.
+    SettingUse use = SettingUse::set;
 
     bool operator==(const SettingValue&) const = default;
 };
@@ -36,7 +45,8 @@ std::string print_job(const Job& job);
 /// Such a line. The error is a sentence.
 tl::expected<Job, std::string> read_job(std::string_view line);
 
-/// The settings as JSON: {"machine.axis.X.max_speed_mm_s": 500, ...}; a factor as "x 1.1".
+/// The settings as JSON: {"machine.axis.X.max_speed_mm_s": 500, ...}; a factor as "x 1.1", what is added as
+/// "+ 1.1".
 nlohmann::ordered_json settings_json(const std::vector<SettingValue>& settings);
 
 }  // namespace gsim::batch

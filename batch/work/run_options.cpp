@@ -12,54 +12,66 @@ namespace gsim::batch {
 
 namespace {
 
-using engine::Request;
 using nlohmann::json;
 using Kind = RunOption::Kind;
 
 constexpr std::array kOptions{
     RunOption{"dialect", Kind::text, "language of the programs; else as the machine file says",
-              [](Request& r, const json& v) { r.language.dialect = v; }},
+              [](JobRequest& r, const json& v) { r.run.language.dialect = v; }},
     RunOption{"unknown", Kind::text, "\"error\" or \"warn\": what a code is that the dialect does not have",
-              [](Request& r, const json& v) { r.language.unknown = v; }},
+              [](JobRequest& r, const json& v) { r.run.language.unknown = v; }},
     RunOption{"machine_data", Kind::file, "machine data (NCFILE)",
-              [](Request& r, const json& v) { r.machine_data = v; }},
-    RunOption{"cell", Kind::file, "cell file", [](Request& r, const json& v) { r.cell = v; }},
+              [](JobRequest& r, const json& v) { r.run.machine_data = v; }},
+    RunOption{"cell", Kind::file, "cell file", [](JobRequest& r, const json& v) { r.run.cell = v; }},
     RunOption{"setup", Kind::file, "script that runs before the program",
-              [](Request& r, const json& v) { r.setup = v; }},
-    RunOption{"robots", Kind::file, "robots and conveyors", [](Request& r, const json& v) { r.robots = v; }},
+              [](JobRequest& r, const json& v) { r.run.setup = v; }},
+    RunOption{"robots", Kind::file, "robots and conveyors",
+              [](JobRequest& r, const json& v) { r.run.robots = v; }},
     RunOption{"variables", Kind::file, "permanent variables; they are read, not written",
-              [](Request& r, const json& v) { r.variables = v; }},
+              [](JobRequest& r, const json& v) { r.run.variables = v; }},
     RunOption{"library", Kind::file, "folder of the library in Lua",
-              [](Request& r, const json& v) { r.library = v; }},
-    RunOption{"module", Kind::file, "controller module", [](Request& r, const json& v) { r.module = v; }},
+              [](JobRequest& r, const json& v) { r.run.library = v; }},
+    RunOption{"module", Kind::file, "controller module",
+              [](JobRequest& r, const json& v) { r.run.module = v; }},
     RunOption{"probe", Kind::text, "what probes touch: \"none\", \"z=-3.2\"",
-              [](Request& r, const json& v) { r.probe = v; }},
+              [](JobRequest& r, const json& v) { r.run.probe = v; }},
     RunOption{"overrides", Kind::file, "changes of the overrides in the course of the run",
-              [](Request& r, const json& v) { r.overrides.file = v; }},
+              [](JobRequest& r, const json& v) { r.run.overrides.file = v; }},
     RunOption{"feed_override_percent", Kind::number, "of the whole run",
-              [](Request& r, const json& v) { r.overrides.feed_percent = v.get<double>(); }},
+              [](JobRequest& r, const json& v) { r.run.overrides.feed_percent = v.get<double>(); }},
     RunOption{"rapid_override_percent", Kind::number, "of the whole run",
-              [](Request& r, const json& v) { r.overrides.rapid_percent = v.get<double>(); }},
+              [](JobRequest& r, const json& v) { r.run.overrides.rapid_percent = v.get<double>(); }},
     RunOption{"spindle_override_percent", Kind::number, "of the whole run",
-              [](Request& r, const json& v) { r.overrides.spindle_percent = v.get<double>(); }},
+              [](JobRequest& r, const json& v) { r.run.overrides.spindle_percent = v.get<double>(); }},
     RunOption{"collisions", Kind::flag, "look at the bodies of machines and cells",
-              [](Request& r, const json& v) { r.collisions = v; }},
+              [](JobRequest& r, const json& v) { r.run.collisions = v; }},
     RunOption{"block_delete", Kind::flag, "leave out blocks that begin with /",
-              [](Request& r, const json& v) { r.block_delete = v; }},
+              [](JobRequest& r, const json& v) { r.run.block_delete = v; }},
     RunOption{"optional_stop", Kind::flag, "M01 stops",
-              [](Request& r, const json& v) { r.optional_stop = v; }},
+              [](JobRequest& r, const json& v) { r.run.optional_stop = v; }},
     RunOption{"stop_at_first", Kind::flag, "the first violation ends the run",
-              [](Request& r, const json& v) { r.stop_at_first = v; }},
+              [](JobRequest& r, const json& v) { r.run.stop_at_first = v; }},
     RunOption{"passes", Kind::count, "of a main program that leads back to its start",
-              [](Request& r, const json& v) { r.passes = v; }},
+              [](JobRequest& r, const json& v) { r.run.passes = v; }},
     RunOption{"max_time_s", Kind::number, "of the machine",
-              [](Request& r, const json& v) { r.limits.machine_s = v; }},
+              [](JobRequest& r, const json& v) { r.run.limits.machine_s = v; }},
     RunOption{"max_cpu_s", Kind::number, "of the processor",
-              [](Request& r, const json& v) { r.limits.cpu_s = v; }},
+              [](JobRequest& r, const json& v) { r.run.limits.cpu_s = v; }},
     RunOption{"max_blocks", Kind::count, "that are executed",
-              [](Request& r, const json& v) { r.limits.blocks = v; }},
+              [](JobRequest& r, const json& v) { r.run.limits.blocks = v; }},
     RunOption{"max_steps", Kind::count, "of scripts without a motion",
-              [](Request& r, const json& v) { r.limits.steps = v; }},
+              [](JobRequest& r, const json& v) { r.run.limits.steps = v; }},
+    RunOption{"lower_bound", Kind::flag, "the least time in which any controller could do it, too",
+              [](JobRequest& r, const json& v) { r.run.explain = v; }},
+    RunOption{"joint_speeds", Kind::flag,
+              "the greatest share of its limit that the speed of an axis comes to, too",
+              [](JobRequest& r, const json& v) { r.joint_speeds = v; }},
+    RunOption{"post", Kind::text, "how programs of paths are written; else as the machine reads them",
+              [](JobRequest& r, const json& v) { r.path.post = v; }},
+    RunOption{"path_frame", Kind::text, "frame or object of the cell that paths go along with",
+              [](JobRequest& r, const json& v) { r.path_frame = v; }},
+    RunOption{"rotary_as_given", Kind::flag, "rotary_deg of paths is taken as it is",
+              [](JobRequest& r, const json& v) { r.path.rotary_as_given = v.get<bool>(); }},
 };
 
 std::string_view wanted(Kind kind) {
@@ -111,7 +123,7 @@ tl::expected<void, std::string> check_option(std::string_view name, const json& 
     return tl::unexpected(fmt::format("'{}' must be {}, not {}", name, wanted(option->kind), value.dump()));
 }
 
-tl::expected<void, std::string> set_option(Request& request, std::string_view name, const json& value) {
+tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name, const json& value) {
     return check_option(name, value).map([&] { find_option(name)->set(request, value); });
 }
 

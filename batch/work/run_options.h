@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
-#include "engine/request.h"
+#include "batch/work/job_request.h"
 
 namespace gsim::batch {
 
@@ -18,7 +18,7 @@ struct RunOption {
     const char* name;
     Kind kind;
     const char* meaning;
-    void (*set)(engine::Request& request, const nlohmann::json& value);  ///< Of a value of this kind.
+    void (*set)(JobRequest& request, const nlohmann::json& value);  ///< Of a value of this kind.
 };
 
 /// All of them, as gsim-run has them.
@@ -29,7 +29,7 @@ const RunOption* find_option(std::string_view name);
 /// Whether a value is what the option takes; the error is a sentence.
 tl::expected<void, std::string> check_option(std::string_view name, const nlohmann::json& value);
 /// Puts one into a request. The error is that of check_option().
-tl::expected<void, std::string> set_option(engine::Request& request, std::string_view name,
+tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name,
                                            const nlohmann::json& value);
 
 }  // namespace gsim::batch

@@ -47,14 +47,26 @@ void for_each_plain(Row& row, const Take& take) {
     take("report", row.report);
 }
 
+/// The same for those that may be missing.
+template <typename Row, typename Take>
+void for_each_optional(Row& row, const Take& take) {
+    take("least_s", row.least_s);
+    take("most_s", row.most_s);
+    take("energy_j", row.energy_j);
+    take("clearance_mm", row.clearance_mm);
+    take("deviation_mm", row.deviation_mm);
+    take("joint_speed_share", row.joint_speed_share);
+    take("lower_bound_s", row.lower_bound_s);
+}
+
 }  // namespace
 
 std::string print_row(const RunRow& row) {
     json line = json::object();
     for_each_plain(row, [&](const char* name, const auto& value) { line[name] = value; });
-    line["least_s"] = optional_json(row.least_s);
-    line["most_s"] = optional_json(row.most_s);
-    line["energy_j"] = optional_json(row.energy_j);
+    for_each_optional(row, [&](const char* name, const std::optional<double>& value) {
+        line[name] = optional_json(value);
+    });
     json& files = line["files"] = json::array();
     for (const ReadFile& file : row.files) files.push_back({file.name, file.sha256});
     return line.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -65,9 +77,8 @@ tl::expected<RunRow, std::string> read_row(std::string_view line) {
         const json read = json::parse(line);
         RunRow row;
         for_each_plain(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
-        row.least_s = optional_in(read.at("least_s"));
-        row.most_s = optional_in(read.at("most_s"));
-        row.energy_j = optional_in(read.at("energy_j"));
+        for_each_optional(
+            row, [&](const char* name, std::optional<double>& value) { value = optional_in(read.at(name)); });
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
         return row;
     } catch (const json::exception& error) {

@@ -38,8 +38,15 @@ struct RunRow {
     std::uint64_t blocks = 0, moves = 0;
     std::uint64_t violations = 0, collisions = 0, process_findings = 0, warnings = 0;
     std::optional<double> energy_j = {};  ///< From the motors, less what comes back.
-    std::string extents = {};             ///< JSON: {"X": [min, max], ...}, mm or deg.
-    std::string findings = {};            ///< JSON: the diagnostics of the report.
+    /// How near bodies came to each other; no more than the cell's clearance_mm, which is how far they are
+    /// looked at. Nothing where no bodies are.
+    std::optional<double> clearance_mm = {};
+    std::optional<double> deviation_mm = {};  ///< By which corners of feed moves were rounded, at most.
+    std::optional<double> joint_speed_share =
+        {};                                    ///< Segment::peak_axis_speed_share(), where it was asked for.
+    std::optional<double> lower_bound_s = {};  ///< Likewise: the least that any controller would take.
+    std::string extents = {};                  ///< JSON: {"X": [min, max], ...}, mm or deg.
+    std::string findings = {};                 ///< JSON: the diagnostics of the report.
     double cpu_s = 0;
     std::vector<ReadFile> files = {};
     std::string report = {};  ///< JSON, where the job wants it.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/nearest_name.h"
+#include "base/units.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/run_cell.h"
@@ -14,11 +16,22 @@
 #include "runtime/envelope/outline_files.h"
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
+#include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::engine {
 
 using text::DiagnosticKind;
+
+namespace {
+
+FramePose in_frame(const rrs::CartPos& base, const rrs::CartPos& pose) {
+    const kinematics::Rpy rpy = kinematics::rpy_from_pose(base.inverse(Eigen::Isometry) * pose);
+    return {{rpy.x_mm, rpy.y_mm, rpy.z_mm},
+            {rpy.roll_rad / kRadPerDeg, rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}};
+}
+
+}  // namespace
 
 class Machine::State {
   public:
@@ -34,6 +47,25 @@ class Machine::State {
                 failure_of(DiagnosticKind::input_file, cell.error(), parts_.found.request.cell));
         parts_.bodies = std::make_shared<const cell::Cell>(*std::move(cell));
         return {};
+    }
+
+    tl::expected<FramePose, Failure> frame_in_work(const std::string& name) const {
+        const auto refused = [&](const std::string& why) {
+            return tl::unexpected(failure_of(DiagnosticKind::input_file, why, parts_.found.request.cell));
+        };
+        if (parts_.bodies == nullptr) return refused("the cell has not been read");
+        const cell::FrameTree& frames = parts_.bodies->frames;
+        const auto frame = frames.find(name);
+        if (!frame) {
+            const std::vector<std::string_view> names = frames.names();
+            const auto nearest = text::nearest_name(name, names);
+            return refused(fmt::format("the cell has no frame or object '{}'{}", name,
+                                       nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""));
+        }
+        const std::size_t work = frames.find("work").value();
+        if (frames.link(*frame) != frames.link(work))
+            return refused(fmt::format("'{}' does not go along with the work", name));
+        return in_frame(frames.in_link(work), frames.in_link(*frame));
     }
 
     tl::expected<MachineCheck, Failure> check() const {
@@ -117,8 +149,16 @@ const std::string& Machine::machine_data_file() const {
     return state_->parts().found.request.machine_data;
 }
 
+const std::string& Machine::dialect() const {
+    return state_->machine().program.dialect;
+}
+
 std::string Machine::file() const {
     return machine::print_machine(state_->machine());
+}
+
+tl::expected<FramePose, Failure> Machine::frame_in_work(const std::string& name) const {
+    return guarded([&] { return state_->frame_in_work(name); });
 }
 
 tl::expected<void, Failure> Machine::read_bodies() {

@@ -1,6 +1,12 @@
 #include "engine/motion.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "engine/inner/values.h"
+#include "runtime/dynamics/law_ends.h"
+#include "runtime/machine/machine.h"
 #include "runtime/motion/segment.h"
 
 namespace gsim::engine {
@@ -26,6 +32,39 @@ AxisValues Segment::axes_at(double t_s) const {
 
 double Segment::speed_mm_s(double t_s) const {
     return exact_->path_speed_mm_s(t_s);
+}
+
+namespace {
+
+double speed_share(const motion::Segment& segment, const machine::Machine& machine, double t_s) {
+    const rrs::JointPos velocity = segment.at(t_s).velocity;
+    double share = 0;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::Axis& axis = machine.axes[i];
+        const double speed = std::abs(machine::axis_value(axis, velocity[static_cast<Eigen::Index>(i)]) -
+                                      machine::axis_value(axis, 0));
+        if (std::isfinite(axis.max_speed)) share = std::max(share, speed / axis.max_speed);
+    }
+    return share;
+}
+
+}  // namespace
+
+double Segment::peak_axis_speed_share() const {
+    constexpr int kSteps = 8;
+    if (kind == SegmentKind::rest) return 0;
+    std::vector<double> ends_s{0};
+    dynamics::add_law_ends(*exact_, ends_s);
+    ends_s.push_back(duration_s);
+    std::sort(ends_s.begin(), ends_s.end());
+    double share = speed_share(*exact_, *machine_, 0);
+    for (std::size_t part = 1; part < ends_s.size(); ++part) {
+        const double length_s = ends_s[part] - ends_s[part - 1];
+        for (int step = 1; length_s > 0 && step <= kSteps; ++step)
+            share =
+                std::max(share, speed_share(*exact_, *machine_, ends_s[part - 1] + length_s * step / kSteps));
+    }
+    return share;
 }
 
 }  // namespace gsim::engine

@@ -7,6 +7,7 @@
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/machine_input.h"
+#include "engine/inner/path_changes.h"
 #include "engine/inner/path_frames.h"
 #include "engine/inner/path_input.h"
 #include "engine/inner/path_points.h"
@@ -100,6 +101,8 @@ class PathTranslation::State {
         if (auto completed = complete_frames(*path_, request_, post_); !completed)
             return tl::unexpected(fault_of_path(completed.error()));
         const PointTables tables{machine_.machine, machine_.data ? &*machine_.data : nullptr, data_name()};
+        if (auto changed = change_path(*path_, machine_.machine, request_.changes); !changed)
+            return tl::unexpected(fault_of_path(changed.error()));
         auto notes = complete_points(*path_, tables, post_);
         if (!notes) return tl::unexpected(fault_of_path(notes.error()));
         auto program =

@@ -17,12 +17,13 @@ std::vector<double> values(const Design& design, std::size_t setting) {
 }
 
 std::vector<Setting> two_uniform() {
-    return {{.key = "machine.a", .domain = Uniform{0, 1}}, {.key = "machine.b", .domain = Uniform{-3, 5}}};
+    return {{.keys = {"machine.a"}, .domain = Uniform{0, 1}},
+            {.keys = {"machine.b"}, .domain = Uniform{-3, 5}}};
 }
 
 TEST(Design, GridHasEachValueOfOneWithEachOfTheOthers) {
-    const Design design({{.key = "machine.a", .domain = Choices{{1, 2, 3}}},
-                         {.key = "option.dialect", .domain = Choices{{"ab9", "rs274ngc"}}}},
+    const Design design({{.keys = {"machine.a"}, .domain = Choices{{1, 2, 3}}},
+                         {.keys = {"option.dialect"}, .domain = Choices{{"ab9", "rs274ngc"}}}},
                         {});
     ASSERT_EQ(design.size(), 6U);
     std::set<std::string> all;

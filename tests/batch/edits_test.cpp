@@ -24,8 +24,8 @@ on = "Y"
 mass_kg = 12.0
 )";
 
-std::string edited(const std::string& key, const nlohmann::json& value, bool is_factor = false) {
-    const SettingValue setting{key, value, is_factor};
+std::string edited(const std::string& key, const nlohmann::json& value, SettingUse use = SettingUse::set) {
+    const SettingValue setting{key, value, use};
     const auto text = edited_toml(kMachine, "m.toml", {&setting, 1});
     return text ? *text : "error: " + text.error();
 }
@@ -34,7 +34,12 @@ TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
     EXPECT_THAT(edited("axis.Y.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75\n"));
     EXPECT_THAT(edited("axis.0.max_speed_mm_s", 75), HasSubstr("max_speed_mm_s = 75.0\n"));
     EXPECT_THAT(edited("mass.Y.mass_kg", 9.5), HasSubstr("mass_kg = 9.5\n"));
-    EXPECT_THAT(edited("axis.X.max_speed_mm_s", 1.5, true), HasSubstr("max_speed_mm_s = 150.0\n"));
+    EXPECT_THAT(edited("axis.X.max_speed_mm_s", 1.5, SettingUse::factor),
+                HasSubstr("max_speed_mm_s = 150.0\n"));
+    EXPECT_THAT(edited("axis.X.max_speed_mm_s", 1.5, SettingUse::shift),
+                HasSubstr("max_speed_mm_s = 101.5\n"));
+    EXPECT_THAT(edited("base.x_mm", 1.5, SettingUse::shift), HasSubstr("x_mm = 1.5\n"))
+        << "what is not said is 0";
     EXPECT_THAT(edited("machine.name", "other"), HasSubstr("name = \"other\"  # of ours\n"));
     EXPECT_THAT(edited("controller.model", "ab9"), HasSubstr("[controller]\nmodel = \"ab9\"\n"));
 }
@@ -44,18 +49,22 @@ TEST(EditedToml, SaysWhatIsNotThere) {
                 HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': there is no 'Q'"));
     EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75), HasSubstr("there is no '7'"));
     EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("nothing is below"));
-    EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, true), HasSubstr("a factor needs a number in the file"));
-    EXPECT_THAT(edited("machine.name", 2, true), HasSubstr("a factor needs a number in the file"));
+    EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, SettingUse::factor),
+                HasSubstr("a factor needs a number in the file"));
+    EXPECT_THAT(edited("machine.name", 2, SettingUse::shift),
+                HasSubstr("what is added needs a number in the file"));
+    EXPECT_THAT(edited("machine.name", 2, SettingUse::factor),
+                HasSubstr("a factor needs a number in the file"));
 }
 
 TEST(EditedData, ChangesAnEntry) {
     const std::string data = "NCFILE\nOFFSET\n54 100 200 0\nENDFILE\n";
-    const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5, false}, {"OFFSET.54.Z", -3, false}};
+    const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5}, {"OFFSET.54.Z", -3}};
     const auto text = edited_data(data, "d.txt", settings);
     ASSERT_TRUE(text) << text.error();
     EXPECT_THAT(*text, HasSubstr("101.5"));
     EXPECT_THAT(*text, HasSubstr("-3"));
-    const SettingValue none{"OFFSET.54.Q", 1, false};
+    const SettingValue none{"OFFSET.54.Q", 1};
     EXPECT_FALSE(edited_data(data, "d.txt", {&none, 1}));
 }
 

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -129,6 +131,63 @@ TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
                 HasSubstr("not UTF-8"));
 }
 
+TEST_F(PlanFile, SeveralKeysGetTheSameValue) {
+    const auto plan = read(R"(programs = "p"
+[[setting]]
+keys = ["cell.object.part.frame.x_mm", "cell.frame.f.x_mm"]
+values = [1, 2]
+shift = true
+[[setting]]
+key = "path.order"
+values = [[0, 1], [1, 0]]
+)");
+    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_EQ(Jobs(*plan).size(), 12U);
+    const Job job = Jobs(*plan).job(3);
+    ASSERT_EQ(job.settings.size(), 3U);
+    EXPECT_EQ(job.settings[0], (SettingValue{"cell.object.part.frame.x_mm", 2, SettingUse::shift}));
+    EXPECT_EQ(job.settings[1], (SettingValue{"cell.frame.f.x_mm", 2, SettingUse::shift}));
+    EXPECT_EQ(job.settings[2].value, (nlohmann::json{1U, 0U}));
+    EXPECT_EQ(settings_json(job.settings)["cell.frame.f.x_mm"], "+ 2");
+}
+
+TEST_F(PlanFile, OrdersAreDrawnAlike) {
+    const auto plan = read(R"(programs = "p/a.nc"
+[sampling]
+kind = "random"
+runs = 6000
+[[setting]]
+key = "path.order"
+orders = 3
+)");
+    ASSERT_TRUE(plan) << plan.error();
+    const Jobs jobs(*plan);
+    std::map<std::string, int> counts;
+    for (std::uint64_t i = 0; i < jobs.size(); ++i) ++counts[jobs.job(i).settings[0].value.dump()];
+    ASSERT_EQ(counts.size(), 6U) << "all orders of three";
+    for (const auto& [order, count] : counts)
+        EXPECT_NEAR(count, 1000, 5 * std::sqrt(6000 * 5.0 / 36)) << order;
+}
+
+TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
+    const auto with = [&](const std::string& setting) {
+        return refusal("programs = \"p\"\n[[setting]]\n" + setting);
+    };
+    EXPECT_THAT(with("values = [1]\n"), HasSubstr("a 'key', or a list of 'keys'"));
+    EXPECT_THAT(with("key = \"machine.a\"\nkeys = [\"machine.b\"]\nvalues = [1]\n"),
+                HasSubstr("a 'key', or a list of 'keys'"));
+    EXPECT_THAT(with("keys = [1]\nvalues = [1]\n"), HasSubstr("list of texts"));
+    EXPECT_THAT(with("key = \"machine.a\"\nvalues = [1]\nshift = true\nscale = true\n"),
+                HasSubstr("not both"));
+    EXPECT_THAT(with("key = \"option.passes\"\nvalues = [1]\nshift = true\n"), HasSubstr("what is added"));
+    EXPECT_THAT(with("key = \"machine.a\"\norders = 3\n"), HasSubstr("'path.order' has 'orders'"));
+    EXPECT_THAT(with("key = \"path.order\"\nfrom = 1\nto = 2\n"), HasSubstr("'path.order' has 'orders'"));
+    EXPECT_THAT(with("key = \"path.order\"\norders = 40\n"), HasSubstr("from 2 to 18"));
+    EXPECT_THAT(with("key = \"path.order\"\nvalues = [1]\n"), HasSubstr("a value must be"));
+    EXPECT_THAT(with("key = \"path.plase.x_mm\"\nvalues = [1]\n"), HasSubstr("path.place.x_mm"));
+    EXPECT_THAT(with("keys = [\"machine.a\", \"machine.a\"]\nvalues = [1]\n"), HasSubstr("set twice"));
+}
+
 TEST_F(PlanFile, TakesDistributions) {
     const auto plan = read(R"(programs = "p"
 [sampling]
@@ -153,7 +212,7 @@ mode = 0.5
 )");
     ASSERT_TRUE(plan) << plan.error();
     EXPECT_TRUE(std::holds_alternative<Normal>(plan->settings[0].domain));
-    EXPECT_TRUE(plan->settings[1].is_factor);
+    EXPECT_EQ(plan->settings[1].use, SettingUse::factor);
     EXPECT_EQ(std::get<Triangular>(plan->settings[2].domain).mode, 0.5);
     EXPECT_EQ(Jobs(*plan).size(), 30U);
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "batch/store/outputs.h"
+#include "batch/store/schema.h"
 
 namespace gsim::batch::results_test {
 namespace {
@@ -38,7 +39,7 @@ Job job_of(std::size_t number, const std::string& program) {
             .program = program,
             .machine = "m.toml",
             .options = nlohmann::json::object(),
-            .settings = {{"machine.axis.X.max_mm", 250.5, false}, {"option.dialect", "ab9", false}}};
+            .settings = {{"machine.axis.X.max_mm", 250.5}, {"option.dialect", "ab9"}}};
 }
 
 RunRow row_of(std::size_t number, const std::string& cause = {}) {
@@ -254,6 +255,43 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
     fs::permissions(odd, fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_THAT(text_of(file, write_junit), HasSubstr("tests=\"1\""));
     fs::permissions(odd, fs::perms::owner_all);
+}
+
+// As the version before had made it: what is in it stays, and is found again.
+TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
+    {
+        auto old = Database::open(file_);
+        ASSERT_TRUE(old->execute(std::string("BEGIN; ") + kSchema +
+                                 "PRAGMA application_id = 1735616877; PRAGMA user_version = 1; COMMIT;"));
+        ASSERT_TRUE(old->execute(
+            "INSERT INTO run VALUES (1, 'k', 'a.nc', '1', 'm', '', 'm', 'c', '{}', '{}', 'v', '', "
+            "'completed', '', "
+            "'', '', 0, 12.5, NULL, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL, '{}', '[]', 0);"
+            "INSERT INTO batch VALUES (1, 't', 'p', 'v', '', '', 1, 1); INSERT INTO batch_run VALUES (1, 0, "
+            "1, 0)"));
+    }
+    bring_up_to_date(file_);
+    EXPECT_THAT(
+        text_of(file_, [](Database& from, const Sink& sink) { return write_csv(from, kPlainRuns, sink); }),
+        HasSubstr("clearance_mm"));
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results) << results.error();
+    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, 1);
+    ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
+    RunRow row = row_of(0);
+    row.clearance_mm = 1.25;
+    ASSERT_TRUE(results->note(0, results->add(job_of(0, "a.nc"), {"k2", "1", ""}, row, "v").value(), false));
+    ASSERT_TRUE(results->end_batch(true));
+    auto asked = Database::open(file_, true);
+    auto rows = asked->prepare("SELECT clearance_mm, lower_bound_s FROM run ORDER BY id");
+    ASSERT_TRUE(rows->step().value());
+    EXPECT_TRUE(rows->is_null(0)) << "nobody had looked";
+    ASSERT_TRUE(rows->step().value());
+    EXPECT_EQ(rows->number(0), 1.25);
+    EXPECT_TRUE(rows->is_null(1));
+    fs::remove(file_);
+    bring_up_to_date(file_);
+    EXPECT_FALSE(fs::exists(file_)) << "nothing is made";
 }
 
 TEST_F(ResultsFile, OfAnotherKindIsRefused) {

@@ -51,9 +51,9 @@ TEST(Shards, AreWrittenAndReadBack) {
     EXPECT_EQ(read->array_job, "12");
     Plan plan;
     plan.programs = {"a.nc"};
-    plan.settings = {{.key = "machine.a", .domain = Triangular{0, 4, 1}, .is_factor = true},
-                     {.key = "machine.b", .domain = Normal{5, 1}},
-                     {.key = "option.dialect", .domain = Choices{{"ab9"}}}};
+    plan.settings = {{.keys = {"machine.a"}, .domain = Triangular{0, 4, 1}, .use = SettingUse::factor},
+                     {.keys = {"machine.b"}, .domain = Normal{5, 1}},
+                     {.keys = {"option.dialect"}, .domain = Choices{{"ab9"}}}};
     plan.design = {.sampling = Sampling::sobol, .runs = 9, .seed = 4};
     ASSERT_TRUE(write_plan_of(folder, plan));
     const auto again = read_plan_of(folder);

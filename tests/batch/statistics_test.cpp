@@ -99,7 +99,7 @@ class ClosedForm : public testing::Test {
         Plan plan;
         plan.programs = {(folder_ / "p.ngc").string()};
         plan.machines = {(folder_ / "m.toml").string()};
-        plan.settings = {{.key = "option.feed_override_percent", .domain = Uniform{40, 160}}};
+        plan.settings = {{.keys = {"option.feed_override_percent"}, .domain = Uniform{40, 160}}};
         plan.design = {.sampling = sampling, .runs = runs, .seed = seed};
         return plan;
     }

@@ -1,0 +1,173 @@
+#include "batch/work/path_job.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/ranges.h>
+
+#include "base/text/letter_case.h"
+#include "batch/work/edits.h"
+#include "engine/machine.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using engine::Failure;
+using engine::FramePose;
+using nlohmann::json;
+
+constexpr std::string_view kPlace = "place.", kOrder = "order", kFeed = "feed_mm_min";
+constexpr std::array<std::string_view, 6> kPlaces{"x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"};
+constexpr const char* kUsualPost = "ab9";  // as gsim write has it
+
+tl::unexpected<Failure> refused(std::string why) {
+    return tl::unexpected(Failure{.code = "setting", .message = std::move(why)});
+}
+
+double& place_of(FramePose& pose, std::size_t place) {
+    return place < 3 ? pose.origin_mm[place] : pose.rpy_deg[place - 3];
+}
+
+/// The name of the path whose feeds a key means; nothing: the key is another one.
+std::optional<std::string> path_of_feed(const std::string& key) {
+    if (key == kFeed) return std::string();
+    const std::string end = '.' + std::string(kFeed);
+    if (!key.ends_with(end) || key.size() == end.size()) return std::nullopt;
+    return key.substr(0, key.size() - end.size());
+}
+
+tl::expected<std::vector<std::size_t>, std::string> order_in(const json& value) {
+    std::vector<std::size_t> order;
+    for (const json& each : value.is_array() ? value : json::array({value})) {
+        if (!each.is_number_unsigned())
+            return tl::unexpected(
+                fmt::format("'path.order' must be a list of places from 0 on, not {}", value.dump()));
+        order.push_back(each);
+    }
+    return order;
+}
+
+/// The post whose programs the machine reads.
+tl::expected<std::string, Failure> post_for(const JobRequest& request, const engine::Machine& machine) {
+    if (!request.path.post.empty()) return request.path.post;
+    const std::string& said = request.run.language.dialect;
+    const std::string& dialect = said.empty() ? machine.dialect() : said;
+    if (dialect.empty()) return kUsualPost;
+    const std::vector<std::string> posts = engine::post_names();
+    if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
+    return refused(
+        fmt::format("how is a program written that '{}' reads? The option 'post' takes {}, or a file",
+                    dialect, fmt::join(posts, ", ")));
+}
+
+/// Where the frame that the path goes along with stands.
+tl::expected<FramePose, Failure> frame_of(engine::Machine& machine, const std::string& name) {
+    return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
+}
+
+tl::expected<void, Failure> follow_frame(const JobRequest& request, engine::Machine& machine,
+                                         const engine::Host& as_it_is, engine::PathChanges& changes) {
+    if (request.path_frame.empty()) return {};
+    if (request.run.cell.empty()) return refused("the option 'path_frame' needs a cell");
+    const auto put = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
+    engine::Request before = request.run;
+    before.host = as_it_is;
+    return engine::Machine::read(before)
+        .and_then([&](engine::Machine found) { return frame_of(found, request.path_frame); })
+        .map(put(changes.from))
+        .and_then([&] { return frame_of(machine, request.path_frame); })
+        .map(put(changes.to));
+}
+
+tl::expected<std::string, Failure> written(engine::PathRequest request) {
+    return engine::PathTranslation::open(std::move(request))
+        .and_then([](engine::PathTranslation path) -> tl::expected<std::string, Failure> {
+            std::string text;
+            const auto sink = [&](const std::string&) {
+                return [&text](std::string_view part) {
+                    text += part;
+                    return true;
+                };
+            };
+            return path.read()
+                .and_then([&] { return path.plan(); })
+                .and_then([&] { return path.write(sink); })
+                .map([&] { return std::move(text); });
+        });
+}
+
+}  // namespace
+
+bool is_path(const std::string& name) {
+    const std::string plain = text::lower(name);
+    return plain.ends_with(".path.json") || plain.ends_with(".path.lua");
+}
+
+std::string fault_of_path_key(const std::string& key) {
+    if (key == kOrder || path_of_feed(key)) return {};
+    if (key.starts_with(kPlace) &&
+        std::find(kPlaces.begin(), kPlaces.end(), key.substr(kPlace.size())) != kPlaces.end())
+        return {};
+    return fmt::format(
+        "of a path there are 'path.place.{}', 'path.order', 'path.feed_mm_min' and "
+        "'path.NAME.feed_mm_min', not 'path.{}'",
+        fmt::join(kPlaces, "', 'path.place."), key);
+}
+
+tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings) {
+    engine::PathChanges changes;
+    for (const SettingValue& setting : settings) {
+        if (setting.key == kOrder) {
+            auto order = order_in(setting.value);
+            if (!order) return tl::unexpected(order.error());
+            changes.order = *std::move(order);
+            continue;
+        }
+        const auto* number = setting.value.is_number() ? &setting.value : nullptr;
+        if (number == nullptr)
+            return tl::unexpected(
+                fmt::format("'path.{}' must be a number, not {}", setting.key, setting.value.dump()));
+        const auto value = number->get<double>();
+        if (auto path = path_of_feed(setting.key)) {
+            if (value <= 0) return tl::unexpected(fmt::format("'path.{}' must be above 0", setting.key));
+            changes.feeds.push_back({*std::move(path), value, setting.use == SettingUse::factor});
+            continue;
+        }
+        const auto* const place = std::find(kPlaces.begin(), kPlaces.end(),
+                                            setting.key.substr(std::min(kPlace.size(), setting.key.size())));
+        if (place == kPlaces.end()) return tl::unexpected(fault_of_path_key(setting.key));
+        place_of(changes.place, static_cast<std::size_t>(place - kPlaces.begin())) = value;
+    }
+    return changes;
+}
+
+tl::expected<void, Failure> write_path(const Job& job, JobRequest& request, const engine::Host& as_it_is) {
+    const std::vector<SettingValue> settings = settings_of(job.settings, kOfPath);
+    if (!is_path(job.program)) {
+        if (settings.empty()) return {};
+        return refused(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
+                                   settings.front().key, job.program));
+    }
+    auto changes = path_changes(settings);
+    if (!changes) return refused(changes.error());
+    auto machine = engine::Machine::read(request.run);
+    if (!machine) return tl::unexpected(machine.error());
+    auto post = post_for(request, *machine);
+    if (!post) return tl::unexpected(post.error());
+    if (auto done = follow_frame(request, *machine, as_it_is, *changes); !done) return done;
+    engine::PathRequest path = request.path;
+    path.path = job.program;
+    path.post = *std::move(post);
+    path.machine = machine->machine_file();
+    path.machine_data = machine->machine_data_file();
+    path.changes = *std::move(changes);
+    path.host = request.run.host;
+    return written(std::move(path)).map([&](std::string text) {
+        request.run.program = job.program + ".nc";
+        request.run.text = engine::Text(std::move(text), request.run.program);
+    });
+}
+
+}  // namespace gsim::batch

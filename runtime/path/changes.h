@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "runtime/path/machine_space.h"
+#include "runtime/path/path.h"
+#include "runtime/path/validate.h"
+
+namespace gsim::path {
+
+/// Puts a path elsewhere as a whole: each point p, in mm of the work frame, comes to `motion` p, and the tool
+/// turns along. Of rotary axes that the path names, the one that turns the tool about the motion's axis turns
+/// by its angle, so that what is between two points keeps its shape; where there is none, points get the
+/// tool's axis instead, and have to name all rotary axes. Fixed and reference points stay. The error: the
+/// path was recorded, is in several work frames or finds them by touches, or rotary axes are missing.
+tl::expected<void, Fault> place(Program& program, const rrs::CartPos& motion, const MachineSpace& space);
+
+/// Goes through the targets of the root in another order: the places of `order` are those that the file has,
+/// from 0. The error: it is none of these, or the targets are not sub-paths that mean the same wherever they
+/// stand, as each has its own orientation and feed and leaves what it found.
+tl::expected<void, Fault> reorder(Program& program, std::span<const std::size_t> order,
+                                  bool needs_orientation);
+
+/// What becomes of feeds (mm/min).
+struct FeedChange {
+    std::string path = {};  ///< A name; empty: of all paths.
+    double value = 1;       ///< > 0; mm/min, or a factor of what the path has.
+    bool is_factor = true;
+};
+/// The error, a sentence: there is no such path, or it has no feeds.
+tl::expected<void, std::string> change_feeds(Program& program, const FeedChange& change);
+
+}  // namespace gsim::path

@@ -1,0 +1,136 @@
+// Paths as programs of a batch: written for their machine, then run.
+#include "batch/work/path_job.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "batch/work/run_job.h"
+
+namespace gsim::batch::path_job_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* kWheel = GSIM_SOURCE "/samples/wheel.path.json";
+
+Job wheel_job(std::vector<SettingValue> settings) {
+    return {.program = kWheel,
+            .machine = GSIM_SOURCE "/samples/machines/af5-measured.toml",
+            .options = {{"collisions", false}},
+            .settings = std::move(settings)};
+}
+
+Job job_in_cell(std::vector<SettingValue> settings) {
+    Job job = wheel_job(std::move(settings));
+    job.machine.clear();
+    job.options = {{"cell", GSIM_SOURCE "/samples/cell/wheel.toml"}, {"path_frame", "wheel centre"}};
+    return job;
+}
+
+TEST(PathJob, KnowsPathsByTheirNames) {
+    EXPECT_TRUE(is_path("a/b.path.json"));
+    EXPECT_TRUE(is_path("B.PATH.LUA"));
+    for (const char* name : {"a.json", "a.lua", "path.json.nc", "apath.json"}) EXPECT_FALSE(is_path(name));
+}
+
+TEST(PathJob, SaysWhatKeysThereAre) {
+    for (const char* key : {"place.x_mm", "place.yaw_deg", "order", "feed_mm_min", "rim.feed_mm_min"})
+        EXPECT_EQ(fault_of_path_key(key), "") << key;
+    for (const char* key : {"place.x", "orders", "feed", ".feed_mm_min", "place"})
+        EXPECT_THAT(fault_of_path_key(key), HasSubstr("path.place.x_mm")) << key;
+}
+
+// Where it lies changes where the axes go, not how far the tool goes while it cuts.
+TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
+    JobRunner runner;
+    const RunRow as_it_is = runner.run(wheel_job({}));
+    ASSERT_TRUE(as_it_is.is_clean()) << as_it_is.message;
+    const RunRow placed = runner.run(wheel_job({{"path.place.x_mm", 300}, {"path.place.y_mm", 200}}));
+    ASSERT_TRUE(placed.is_clean()) << placed.message;
+    EXPECT_NEAR(placed.jet_on_mm, as_it_is.jet_on_mm, 1e-2) << "but for what is rounded in the program";
+    EXPECT_EQ(placed.blocks, as_it_is.blocks);
+    // The rim's upper end lies 300 mm further: the first cut is the one that goes farthest.
+    EXPECT_THAT(placed.extents, HasSubstr("1015.8997"));
+    EXPECT_GT(placed.cycle_time_s, as_it_is.cycle_time_s) << "it is farther from home";
+}
+
+TEST(PathJob, FeedsAndOrderReachTheProgram) {
+    JobRunner runner;
+    const RunRow fast = runner.run(wheel_job({}));
+    const RunRow slow = runner.run(wheel_job({{"path.feed_mm_min", 0.5, SettingUse::factor}}));
+    EXPECT_GT(slow.cycle_time_s, fast.cycle_time_s);
+    EXPECT_NEAR(slow.jet_on_mm, fast.jet_on_mm, 1e-9);
+    const RunRow other = runner.run(wheel_job({{"path.order", nlohmann::json::array({2U, 1U, 0U})}}));
+    ASSERT_TRUE(other.is_clean()) << other.message;
+    EXPECT_NEAR(other.jet_on_mm, fast.jet_on_mm, 1e-2);
+    EXPECT_NE(other.cycle_time_s, fast.cycle_time_s);
+}
+
+// The cell's frame is moved, with all that stands on it, and the path with it: nothing else touches then.
+TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
+    JobRunner runner;
+    const RunRow as_it_is = runner.run(job_in_cell({}));
+    ASSERT_TRUE(as_it_is.is_clean()) << as_it_is.message;
+    const RunRow moved =
+        runner.run(job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift},
+                                {"cell.frame.wheel centre.frame.roll_deg", -45}}));
+    ASSERT_TRUE(moved.is_clean()) << moved.message;
+    EXPECT_NEAR(moved.jet_on_mm, as_it_is.jet_on_mm, 1e-2);
+    EXPECT_EQ(moved.collisions, 0U);
+    EXPECT_NEAR(moved.clearance_mm.value(), 0.25, 1e-9) << "nothing comes nearer than the cell asks for";
+    // Without the path the cell alone is moved.
+    Job apart = job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift}});
+    apart.options.erase("path_frame");
+    EXPECT_GT(runner.run(apart).collisions, 0U);
+}
+
+TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
+    JobRunner runner;
+    Job job = job_in_cell({});
+    job.options["path_frame"] = "wheel center";
+    EXPECT_THAT(runner.run(job).message, HasSubstr("did you mean 'wheel centre'?"));
+    job.options["path_frame"] = "X";
+    EXPECT_THAT(runner.run(job).message, HasSubstr("does not go along with the work"));
+    Job plain = wheel_job({{"path.place.x_mm", 1}});
+    plain.program = GSIM_SOURCE "/samples/wheel.nc";
+    EXPECT_THAT(runner.run(plain).message, HasSubstr("is of paths"));
+    EXPECT_THAT(runner.run(wheel_job({{"path.place.x_mm", 5000}})).message, HasSubstr("out of reach"));
+    EXPECT_THAT(runner.run(wheel_job({{"path.rin.feed_mm_min", 5000}})).message, HasSubstr("'rim'"));
+    EXPECT_THAT(runner.run(wheel_job({{"path.feed_mm_min", 0}})).message, HasSubstr("above 0"));
+    EXPECT_THAT(runner.run(wheel_job({{"path.order", nlohmann::json::array({0U, 1U})}})).message,
+                HasSubstr("each of 0 to 2"));
+    Job klipper = wheel_job({});
+    klipper.options["dialect"] = "klipper";
+    EXPECT_THAT(runner.run(klipper).message, HasSubstr("option 'post'"));
+    const RunRow framed = runner.run(wheel_job({}));
+    EXPECT_EQ(framed.files.size(), 2U) << "the path and the machine";
+}
+
+TEST(PathJob, FiguresThatAreAskedFor) {
+    JobRunner runner;
+    Job job = wheel_job({});
+    EXPECT_FALSE(runner.run(job).joint_speed_share);
+    EXPECT_FALSE(runner.run(job).lower_bound_s);
+    EXPECT_FALSE(runner.run(job).clearance_mm) << "bodies are not looked at";
+    job.options["joint_speeds"] = true;
+    job.options["lower_bound"] = true;
+    const RunRow row = runner.run(job);
+    EXPECT_NEAR(row.joint_speed_share.value(), 1, 1e-9) << "B turns at its limit";
+    EXPECT_GT(row.lower_bound_s.value(), 0);
+    EXPECT_LE(row.lower_bound_s.value(), row.cycle_time_s);
+    // At a tenth of the feed along one straight line nothing is near its limit.
+    const fs::path folder = fs::temp_directory_path() / ("gsim-path-job-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const std::string line = (folder / "line.nc").string();
+    std::ofstream(line) << "G21 G90 G94\nG01 X100 F3048\nM2\n";
+    job.program = line;
+    EXPECT_NEAR(runner.run(job).joint_speed_share.value(), 3048.0 / 60 / 508, 1e-9);
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace gsim::batch::path_job_test
