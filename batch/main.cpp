@@ -1,13 +1,11 @@
 // gsim-batch: many programs on many machines in many variants, into one file of results.
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,9 +20,12 @@
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
 #include "batch/arguments.h"
+#include "batch/optimise.h"
 #include "batch/run/batch_run.h"
 #include "batch/slurm/cluster_batch.h"
+#include "batch/slurm/waiting.h"
 #include "batch/statistics/study.h"
+#include "batch/stopping.h"
 #include "batch/store/outputs.h"
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
@@ -37,19 +38,6 @@ using Done = tl::expected<void, std::string>;
 
 constexpr const char* kName = "gsim-batch";
 constexpr const char* kManualWord = "manual";
-
-std::atomic<bool>& stop_flag() {
-    static std::atomic<bool> stop = false;  // a signal handler reaches nothing else
-    return stop;
-}
-
-extern "C" void ask_to_stop(int signal) {
-    if (stop_flag().exchange(true)) {
-        // Asked twice: whoever waits does not want to.
-        std::signal(signal, SIG_DFL);
-        std::raise(signal);
-    }
-}
 
 bool is_plan(const Arguments& arguments) {
     return arguments.inputs.size() == 1 && arguments.inputs.front().ends_with(".toml");
@@ -182,8 +170,7 @@ int run_plan(const Arguments& arguments) {
     if (const std::string why = why_not_here(arguments.results); !why.empty()) return refuse(why);
     const auto plan = plan_of(arguments);
     if (!plan) return refuse(plan.error());
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
+    stop_on_signals();
     const bool shows = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
     const auto tally = run_batch(*plan,
                                  {.results = arguments.results,
@@ -214,17 +201,6 @@ int told(const tl::expected<ClusterState, std::string>& state) {
     return lacks ? apps::kProgramFault : apps::kDone;
 }
 
-/// Until nothing of the batch is in the queue.
-tl::expected<ClusterState, std::string> wait_for_cluster(const std::string& results) {
-    constexpr int kMostFaults = 60;  // one after the other: a controller may be away for a while
-    for (int faults = 0;;) {
-        auto state = ask_state(results);
-        faults = state ? 0 : faults + 1;
-        if (stop_flag() || faults == kMostFaults || (state && state->is_over())) return state;
-        std::this_thread::sleep_for(std::chrono::seconds(2));
-    }
-}
-
 /// Whether runs of the latest batch have failed.
 bool has_failed(const std::string& file) {
     auto results = Database::open(file, true);
@@ -248,8 +224,8 @@ int submit_plan(const Arguments& arguments) {
     if (!state) return refuse(state.error());
     if (state->shards > 0) {
         if (!arguments.wait) return told(state);
-        std::signal(SIGINT, ask_to_stop);
-        state = wait_for_cluster(arguments.results);
+        stop_on_signals();
+        state = wait_until_over(arguments.results, stop_flag(), std::chrono::seconds(2));
     }
     const int status = told(state);
     if (!state) return status;
@@ -265,7 +241,7 @@ std::optional<int> run_task(const std::vector<std::string>& words) {
         return *whole ? apps::kDone : apps::kProgramFault;
     };
     if (words.size() == 3 && words.front() == kShardWord) {
-        std::signal(SIGTERM, ask_to_stop);
+        stop_when_ended();
         return ended(run_shard(words[1], std::stoull(words[2]), stop_flag()));
     }
     if (words.size() == 2 && words.front() == kGatherWord) {
@@ -277,8 +253,9 @@ std::optional<int> run_task(const std::vector<std::string>& words) {
     return std::nullopt;
 }
 
-int run(const std::vector<std::string>& words) {
+int run(const std::string& called, const std::vector<std::string>& words) {
     if (const auto status = run_task(words)) return *status;
+    if (called == kOptimise) return optimise(words);
     Arguments arguments;
     apps::CommandLine line(
         kName,
@@ -307,8 +284,8 @@ int run(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
     try {
-        return gsim::apps::finish_standard_output(
-            gsim::batch::run(std::vector<std::string>(argv + 1, argv + argc)));
+        return gsim::apps::finish_standard_output(gsim::batch::run(
+            std::filesystem::path(argv[0]).filename(), std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
         fmt::print(stderr, "gsim-batch: {}\n", error.what());
         return gsim::apps::kUsage;

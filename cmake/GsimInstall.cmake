@@ -77,6 +77,19 @@ function(gsim_own_page name component)
     install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
 endfunction()
 
+# gsim_own_name(NAME PROGRAM COMPONENT): another name of such a program, under which it is another one, with a page of its own.
+function(gsim_own_name name program component)
+    set(link ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})
+    set(page ${CMAKE_BINARY_DIR}/man/${name}.1)
+    add_custom_command(OUTPUT ${link} COMMAND ${CMAKE_COMMAND} -E create_symlink ${program} ${link} DEPENDS ${program} COMMENT "Linking ${name}" VERBATIM)
+    add_custom_command(OUTPUT ${page} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man COMMAND ${link} manual > ${page}
+                       DEPENDS ${link} ${program} COMMENT "Writing ${name}.1" VERBATIM)
+    add_custom_target(${name} ALL DEPENDS ${link} ${page})
+    add_dependencies(product ${name})
+    install(FILES ${link} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+
 # gsim_pages(NAMES...): man pages and completions of gsim and of the programs it is called by, as the program prints them.
 function(gsim_pages)
     set(man ${CMAKE_BINARY_DIR}/man)

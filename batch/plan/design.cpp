@@ -3,22 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <utility>
 
 #include <boost/random/sobol.hpp>
 
+#include "batch/plan/lots.h"
+
 namespace gsim::batch {
 
 namespace {
-
-using Random = std::mt19937_64;
-
-/// From 0 to below 1. Those of the standard library differ from one to the other.
-double lot(Random& random) {
-    constexpr double kSteps = 9007199254740992.0;  // 2^53
-    return static_cast<double>(random() >> 11U) / kSteps;
-}
 
 /// Below `count`, each alike.
 std::size_t lot_of(Random& random, std::size_t count) {

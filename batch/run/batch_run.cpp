@@ -49,6 +49,7 @@ class BatchRun {
         tally_.jobs = options_.only ? options_.only->size() : jobs_.size();
         const auto ran =
             results_->begin_batch(plan_.name, tally_.jobs, known_.version()).and_then([&] { return go(); });
+        tally_.batch = results_->batch();
         if (!ran) {
             static_cast<void>(results_->end_batch(false));
             return Fault(fmt::format("results '{}': {}", options_.results, ran.error()));

@@ -27,6 +27,7 @@ struct BatchOptions {
 
 /// What came of it.
 struct BatchTally {
+    std::int64_t batch = 0;  ///< Its number in the results.
     std::uint64_t jobs = 0;
     std::uint64_t ran = 0;
     std::uint64_t reused = 0;  ///< They were there already.

@@ -158,6 +158,7 @@ void count_queued(const std::string& state, ClusterState& counted) {
 
 tl::expected<ClusterState, std::string> state_of_shards(const fs::path& folder, const Shards& shards) {
     ClusterState state{.array_job = shards.array_job, .gather_job = shards.gather_job};
+    state.batch = shards.batch;
     state.jobs = shards.jobs;
     state.reused = shards.jobs - shards.todo.size();
     state.shards = shards.shards;
@@ -226,6 +227,7 @@ tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOp
     if (!shards) return Fault(shards.error());
     if (shards->todo.empty()) {
         ClusterState state;
+        state.batch = shards->batch;
         state.jobs = state.reused = shards->jobs;
         state.gathered = true;
         return state;

@@ -28,6 +28,7 @@ struct ClusterOptions {
 /// How far a batch of a cluster is.
 struct ClusterState {
     std::string array_job, gather_job;
+    std::int64_t batch = 0;    ///< Its number in the results.
     std::uint64_t jobs = 0;    ///< Of the batch.
     std::uint64_t reused = 0;  ///< They were there when it was submitted.
     std::uint64_t ran = 0;     ///< In files of shards, or gathered.

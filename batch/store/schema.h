@@ -13,11 +13,11 @@ inline constexpr int kApplication = 0x6773696d;
 inline constexpr const char* kSearches = R"(
 CREATE TABLE search (
   id INTEGER PRIMARY KEY, plan TEXT NOT NULL, objective TEXT NOT NULL, seed INTEGER NOT NULL, began_at TEXT NOT NULL, ended_at TEXT,
-  start_run INTEGER REFERENCES run, best_run INTEGER REFERENCES run
+  best INTEGER
 );
 CREATE TABLE search_run (
   search INTEGER NOT NULL REFERENCES search, number INTEGER NOT NULL, run INTEGER NOT NULL REFERENCES run,
-  generation INTEGER NOT NULL, value REAL, violation REAL NOT NULL, PRIMARY KEY (search, number)
+  generation INTEGER NOT NULL, value REAL, violation REAL NOT NULL, PRIMARY KEY (search, number, run)
 ) WITHOUT ROWID;
 CREATE VIEW evaluations AS
   SELECT search_run.number, search_run.generation, search_run.value, search_run.violation, run.* FROM search_run

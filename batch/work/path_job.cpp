@@ -143,10 +143,11 @@ tl::expected<engine::PathChanges, std::string> path_changes(std::span<const Sett
     return changes;
 }
 
-tl::expected<void, Failure> write_path(const Job& job, JobRequest& request, const engine::Host& as_it_is) {
+tl::expected<std::optional<std::string>, Failure> write_path(const Job& job, const JobRequest& request,
+                                                             const engine::Host& as_it_is) {
     const std::vector<SettingValue> settings = settings_of(job.settings, kOfPath);
     if (!is_path(job.program)) {
-        if (settings.empty()) return {};
+        if (settings.empty()) return std::nullopt;
         return refused(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
                                    settings.front().key, job.program));
     }
@@ -156,7 +157,8 @@ tl::expected<void, Failure> write_path(const Job& job, JobRequest& request, cons
     if (!machine) return tl::unexpected(machine.error());
     auto post = post_for(request, *machine);
     if (!post) return tl::unexpected(post.error());
-    if (auto done = follow_frame(request, *machine, as_it_is, *changes); !done) return done;
+    if (auto done = follow_frame(request, *machine, as_it_is, *changes); !done)
+        return tl::unexpected(done.error());
     engine::PathRequest path = request.path;
     path.path = job.program;
     path.post = *std::move(post);
@@ -164,10 +166,7 @@ tl::expected<void, Failure> write_path(const Job& job, JobRequest& request, cons
     path.machine_data = machine->machine_data_file();
     path.changes = *std::move(changes);
     path.host = request.run.host;
-    return written(std::move(path)).map([&](std::string text) {
-        request.run.program = job.program + ".nc";
-        request.run.text = engine::Text(std::move(text), request.run.program);
-    });
+    return written(std::move(path)).map([](std::string text) { return std::optional(std::move(text)); });
 }
 
 }  // namespace gsim::batch

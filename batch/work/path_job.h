@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -22,10 +23,11 @@ std::string fault_of_path_key(const std::string& key);
 /// `feed_mm_min`, `NAME.feed_mm_min`. The error is a sentence.
 tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings);
 
-/// Writes the program of a job whose program is a path, and puts it into the request; other jobs are left as
-/// they are. `as_it_is` has files without the job's edits: there the cell's frame stands that the path goes
-/// along with.
-tl::expected<void, engine::Failure> write_path(const Job& job, JobRequest& request,
-                                               const engine::Host& as_it_is);
+/// The text of the program of a job whose program is a path, written for the machine of the request; nothing
+/// of other jobs. `as_it_is` has files without the job's edits: there the cell's frame stands that the path
+/// goes along with.
+tl::expected<std::optional<std::string>, engine::Failure> write_path(const Job& job,
+                                                                     const JobRequest& request,
+                                                                     const engine::Host& as_it_is);
 
 }  // namespace gsim::batch

@@ -176,23 +176,45 @@ RunRow JobRunner::run(const Job& job) {
     }
 }
 
-RunRow JobRunner::run_unguarded(const Job& job) {
-    const double begun_s = cpu_now_s();
-    RunRow row{.number = job.number};
-    FilesOfRun files(files_);
+tl::expected<JobRequest, engine::Failure> JobRunner::prepare(const Job& job, FilesOfRun& files) const {
     JobRequest request;
     request.run.program = job.program;
     request.run.machine = job.machine;
     request.run.shared_library = library_;
     request.run.host = host_with(system_, files);
-    const auto ready =
-        set_options(job, request).and_then([&] { return make_edits(job, request.run, files); });
-    if (!ready) {
-        refuse(row, {.code = "setting", .message = ready.error()}, {});
-    } else if (const auto written = write_path(job, request, host_as_it_is(system_, files)); !written) {
+    return set_options(job, request)
+        .and_then([&] { return make_edits(job, request.run, files); })
+        .map_error(
+            [](std::string why) { return engine::Failure{.code = "setting", .message = std::move(why)}; })
+        .map([&] { return std::move(request); });
+}
+
+tl::expected<JobTexts, engine::Failure> JobRunner::texts_of(const Job& job) {
+    FilesOfRun files(files_);
+    auto request = prepare(job, files);
+    if (!request) return tl::unexpected(request.error());
+    auto program = write_path(job, *request, host_as_it_is(system_, files));
+    if (!program) return tl::unexpected(program.error());
+    const engine::Request& run = request->run;
+    return JobTexts{run.machine, run.machine_data, run.cell,
+                    run.robots,  files.replaced(), *std::move(program)};
+}
+
+RunRow JobRunner::run_unguarded(const Job& job) {
+    const double begun_s = cpu_now_s();
+    RunRow row{.number = job.number};
+    FilesOfRun files(files_);
+    auto request = prepare(job, files);
+    auto written = request.and_then(
+        [&](const JobRequest& ready) { return write_path(job, ready, host_as_it_is(system_, files)); });
+    if (!written) {
         refuse(row, written.error(), {});
     } else {
-        run_request(row, std::move(request), job.keeps_report);
+        if (*written) {
+            request->run.program = job.program + ".nc";
+            request->run.text = engine::Text(**std::move(written), request->run.program);
+        }
+        run_request(row, *std::move(request), job.keeps_report);
     }
     row.files = files.asked();
     row.cpu_s = cpu_now_s() - begun_s;

@@ -1,0 +1,239 @@
+// gsim-optimise: the best values of what may change, by many runs.
+
+#include "batch/optimise.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "apps/command_line.h"
+#include "apps/exit_status.h"
+#include "apps/man_page.h"
+#include "apps/named_files.h"
+#include "apps/parse.h"
+#include "apps/print.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
+#include "batch/run/batch_run.h"
+#include "batch/search/proof.h"
+#include "batch/search/search.h"
+#include "batch/search/search_output.h"
+#include "batch/slurm/cluster_batch.h"
+#include "batch/slurm/waiting.h"
+#include "batch/stopping.h"
+#include "batch/store/results.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using Done = tl::expected<void, std::string>;
+using Fault = tl::unexpected<std::string>;
+
+struct OptimiseArguments {
+    std::string plan;
+    std::string results = "gsim-optimise.sqlite";
+    std::string best, json, page;
+    std::optional<double> variants, seed;
+    std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
+    std::optional<double> memory_mb;
+    double timeout_s = 600;
+    bool retry = false;
+    bool slurm = false;
+    std::string partition;
+    std::uint64_t shard_runs = 10, task_workers = 1, time_limit_min = 0;
+    bool quiet = false;
+};
+
+void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
+    using apps::FileKind;
+    line.add("plan.toml", &a.plan, "what may change, what counts, and which limits are to be kept")
+        .of_file(FileKind::input, {".toml"});
+    line.begin_group("Results");
+    line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+        .of_file(FileKind::changed, {".sqlite"})
+        .called("FILE")
+        .shows_default();
+    line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
+        .called("FOLDER");
+    line.add("--json", &a.json, "write what was found as JSON; -: standard output")
+        .of_file(FileKind::output, {".json"});
+    line.add("--page", &a.page, "write it as one HTML page with a picture of all trials; -: standard output")
+        .of_file(FileKind::output, {".html"});
+    line.add("-q,--quiet", &a.quiet, "no progress");
+    line.begin_group("Search");
+    line.add("--variants", &a.variants, "how many are tried at most, in place of the plan's")
+        .within(1, 10'000'000);
+    line.add("--seed", &a.seed, "of what is drawn by lot, in place of the plan's").within(1, 10'000'000);
+    line.begin_group("Here");
+    line.add("-j,--workers", &a.workers, "processes that run programs at once")
+        .within(1, 4096)
+        .shows_default();
+    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
+        .called("MB")
+        .within(64, 1'000'000)
+        .shows("4096; on a cluster no more than its nodes have");
+    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
+        .called("SECONDS")
+        .within(0.01, 1e6)
+        .shows_default();
+    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    line.begin_group("On a cluster (Slurm)");
+    line.add("--slurm", &a.slurm,
+             "submit the variants that are tried at once as an array, wait until it is gathered, and go on");
+    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
+    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
+    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
+        .within(1, 1024)
+        .shows_default();
+    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
+        .called("MINUTES");
+    line.add_example("gsim-optimise place.toml --best best --page place.html", "the best, with its files");
+    line.add_example("gsim-optimise place.toml --variants 1000", "the same search goes on");
+    line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all that was tried");
+}
+
+int refuse_search(const std::string& why) {
+    fmt::print(stderr, "{}: {}\n", kOptimise, why);
+    return apps::kUsage;
+}
+
+tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
+    return os::read_text_file(a.plan, os::NamedBy::command_line)
+        .and_then([&](const std::string& text) { return read_search(text, a.plan); })
+        .map([&](SearchPlan search) {
+            if (a.variants) search.variants = static_cast<std::uint64_t>(*a.variants);
+            if (a.seed) search.seed = static_cast<std::uint64_t>(*a.seed);
+            return search;
+        });
+}
+
+tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, const Plan& plan) {
+    return run_batch(plan,
+                     {.results = a.results,
+                      .workers = a.workers,
+                      .memory_mb = static_cast<std::uint64_t>(a.memory_mb.value_or(4096)),
+                      .timeout_s = a.timeout_s,
+                      .retry = a.retry},
+                     stop_flag(), [](const BatchTally&) {})
+        .map([](const BatchTally& tally) {
+            return Evaluated{tally.batch, tally.whole};
+        });
+}
+
+ClusterOptions cluster_options(const OptimiseArguments& a) {
+    ClusterOptions options{.results = a.results,
+                           .partition = a.partition,
+                           .shard_runs = a.shard_runs,
+                           .workers = a.task_workers,
+                           .time_limit_min = a.time_limit_min,
+                           .timeout_s = a.timeout_s,
+                           .retry = a.retry};
+    if (a.memory_mb) options.memory_mb = static_cast<std::uint64_t>(*a.memory_mb);
+    return options;
+}
+
+/// What a cluster loses is submitted again.
+tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan) {
+    constexpr int kMostTries = 5;
+    constexpr std::chrono::milliseconds kPoll(500);
+    if (!why_not_here(a.results).empty()) {
+        if (const auto over = wait_until_over(a.results, stop_flag(), kPoll); !over)
+            return Fault(over.error());
+    }
+    for (int tries = 0; tries < kMostTries && !stop_flag(); ++tries) {
+        auto state = submit(plan, cluster_options(a));
+        if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPoll);
+        if (!state) return Fault(state.error());
+        if (state->gathered) return Evaluated{state->batch, true};
+    }
+    if (stop_flag()) return Evaluated{};
+    return Fault(
+        fmt::format("the cluster has lost runs {} times; gsim-batch --results '{}' --status tells more",
+                    kMostTries, a.results));
+}
+
+void show_search(const SearchPlan& search, const SearchState& state, bool on_terminal) {
+    fmt::print(stderr, "{}{} of {} variants, {} without a fault; best {:.6g}, start {:.6g}{}",
+               on_terminal ? "\r" : "", state.tried, search.variants + 1, state.allowed,
+               state.best.score.value, state.start.score.value, on_terminal ? "   " : "\n");
+}
+
+Done write_to(const std::string& file, const std::string& text) {
+    if (file.empty()) return {};
+    if (file != os::kStandardStream) return os::write_file(file, text);
+    apps::print(text);
+    return {};
+}
+
+Done write_found(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
+                 const std::optional<Proof>& proof) {
+    const bool prints = a.json == os::kStandardStream || a.page == os::kStandardStream;
+    if (!prints) apps::print(to_text(search, state, proof));
+    if (const Done done = write_to(a.json, to_json(search, state, proof)); !done) return done;
+    if (a.page.empty()) return {};
+    auto results = Database::open(a.results, true);
+    if (!results) return Fault(results.error());
+    return to_html(search, state, proof, *results).and_then([&](const std::string& page) {
+        return write_to(a.page, page);
+    });
+}
+
+int run_search(const OptimiseArguments& a) {
+    const auto search = search_of(a);
+    if (!search) return refuse_search(search.error());
+    if (!a.slurm) {
+        if (const std::string why = why_not_here(a.results); !why.empty()) return refuse_search(why);
+    }
+    stop_on_signals();
+    const Evaluate evaluate = [&](const Plan& plan) {
+        return a.slurm ? evaluate_on_cluster(a, plan) : evaluate_here(a, plan);
+    };
+    const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+    const auto state = search_best(*search, a.results, evaluate, [&](const SearchState& now) {
+        if (!a.quiet) show_search(*search, now, on_terminal);
+    });
+    if (on_terminal && !a.quiet) fmt::print(stderr, "\n");
+    if (!state) return refuse_search(state.error());
+    if (state->tried == 0) {
+        fmt::print(stderr, "{}: cut off before anything was run\n", kOptimise);
+        return apps::kProgramFault;
+    }
+    std::optional<Proof> proof;
+    if (state->whole && state->best.score.is_allowed()) {
+        auto proven = prove(*search, *state, a.results, a.best, evaluate);
+        if (!proven) return refuse_search(proven.error());
+        proof = *std::move(proven);
+    }
+    if (const Done done = write_found(a, *search, *state, proof); !done) return refuse_search(done.error());
+    if (!state->whole) fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kOptimise);
+    return proof ? apps::kDone : apps::kProgramFault;
+}
+
+}  // namespace
+
+int optimise(const std::vector<std::string>& words) {
+    OptimiseArguments arguments;
+    apps::CommandLine line(
+        kOptimise,
+        "Looks for the values of settings for which programs are fastest, or best in another "
+        "way, without a fault");
+    add_search_options(line, arguments);
+    if (words.size() == 1 && words.front() == "manual") {
+        apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-batch", "gsim-run"}));
+        return apps::kDone;
+    }
+    const auto parsed = apps::parse(line, words);
+    if (!parsed) return refuse_search(parsed.error());
+    if (*parsed) return **parsed;
+    if (const auto conflict = apps::find_file_conflict(line)) return refuse_search(*conflict);
+    if (arguments.plan.empty()) return refuse_search("name a plan (docs/optimise.md)");
+    return run_search(arguments);
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gsim::batch {
+
+/// What lots come from. Distributions of the standard library differ from one to the other; these do not.
+using Random = std::mt19937_64;
+
+/// From 0 to below 1, each alike.
+inline double lot(Random& random) {
+    constexpr double kSteps = 9007199254740992.0;  // 2^53
+    return static_cast<double>(random() >> 11U) / kSteps;
+}
+
+/// Of the normal distribution of mean 0 and deviation 1 (Box and Muller 1958).
+inline double normal_lot(Random& random) {
+    const double radius = std::sqrt(-2 * std::log(1 - lot(random)));
+    return radius * std::cos(2 * std::numbers::pi * lot(random));
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,183 @@
+#include "batch/search/best_files.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/os/output_file.h"
+#include "base/toml/toml_edit.h"
+#include "batch/work/edits.h"
+#include "batch/work/run_job.h"
+
+namespace gsim::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Fault = tl::unexpected<std::string>;
+using nlohmann::json;
+
+/// The places of all texts in a document that name files beside `folder`.
+void find_names(const json& value, const fs::path& folder, const base::TomlPath& path,
+                std::vector<std::pair<base::TomlPath, std::string>>& found) {
+    if (const auto* text = value.get_ptr<const std::string*>()) {
+        std::error_code ignored;
+        if (!text->empty() && !fs::path(*text).is_absolute() && fs::is_regular_file(folder / *text, ignored))
+            found.emplace_back(path, fs::absolute(folder / *text).lexically_normal().string());
+        return;
+    }
+    const auto go_on = [&](const auto& key, const json& inner) {
+        base::TomlPath below = path;
+        below.emplace_back(key);
+        find_names(inner, folder, below, found);
+    };
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) go_on(i, value[i]);
+    if (!value.is_object()) return;
+    for (const auto& [key, inner] : value.items()) {
+        const bool is_name = key == "name" || key == "letter" || key == "on" || key == "attached_to";
+        if (!is_name) go_on(key, inner);
+    }
+}
+
+/// A file of TOML as it may lie elsewhere.
+tl::expected<std::string, std::string> with_whole_names(std::string text, const fs::path& file) {
+    auto edit = base::TomlEdit::read(std::move(text), file.string());
+    if (!edit) return Fault(edit.error());
+    std::vector<std::pair<base::TomlPath, std::string>> names;
+    find_names(edit->value(), file.parent_path(), {}, names);
+    for (const auto& [path, name] : names) {
+        if (const auto set = edit->set(path, name); !set) return Fault(set.error());
+    }
+    return edit->text();
+}
+
+class VariantWriter {
+  public:
+    VariantWriter(const fs::path& folder, std::string stem) : folder_(folder), stem_(std::move(stem)) {}
+
+    tl::expected<Job, std::string> write(Job job, const JobTexts& texts) {
+        for (const SettingValue& setting : settings_of(job.settings, kOfRun))
+            job.options[setting.key] = setting.value;
+        job.settings.clear();
+        for (const char* of_paths : {"post", "path_frame", "rotary_as_given"}) job.options.erase(of_paths);
+        if (texts.program) put(job.program, ".nc", *texts.program);
+        put_file(job.machine, texts.machine, ".machine.toml", texts);
+        json& options = job.options;
+        for (const auto& [option, name, ending] :
+             {std::tuple{"cell", &texts.cell, ".cell.toml"},
+              std::tuple{"robots", &texts.robots, ".robots.toml"},
+              std::tuple{"machine_data", &texts.machine_data, ".data.txt"}}) {
+            std::string file = options.value(option, std::string());
+            put_file(file, *name, ending, texts);
+            if (!file.empty()) options[option] = file;
+        }
+        if (!fault_.empty()) return Fault(fault_);
+        return job;
+    }
+
+  private:
+    void put(std::string& name, const char* ending, const std::string& text) {
+        name = (folder_ / (stem_ + ending)).string();
+        if (const auto done = os::write_file(name, text); !done && fault_.empty()) fault_ = done.error();
+    }
+
+    /// Where the job has another text for the file.
+    void put_file(std::string& name, const std::string& file, const char* ending, const JobTexts& texts) {
+        const auto changed = texts.changed.find(fs::path(file).lexically_normal().string());
+        if (file.empty() || changed == texts.changed.end()) return;
+        const bool is_toml = std::string_view(ending).ends_with(".toml");
+        auto text = is_toml ? with_whole_names(changed->second, file)
+                            : tl::expected<std::string, std::string>(changed->second);
+        if (text) return put(name, ending, *text);
+        if (fault_.empty()) fault_ = text.error();
+    }
+
+    fs::path folder_;
+    std::string stem_;
+    std::string fault_;
+};
+
+/// What files of one job begin with: the program's name, and a number where there are several.
+std::string stem_of(const Job& job, std::uint64_t count) {
+    std::string stem = fs::path(job.program).filename().string();
+    for (const char* ending : {".path.json", ".path.lua"}) {
+        if (stem.ends_with(ending)) stem.erase(stem.rfind(ending));
+    }
+    return count > 1 ? fmt::format("{}-{}", stem, job.number + 1) : stem;
+}
+
+std::string quoted_word(const std::string& word) {
+    const bool plain = word.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "._-/=+,:@%") == std::string::npos;
+    if (plain && !word.empty()) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+std::string option_of(std::string name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kOtherWords{
+        {{"feed_override_percent", "feed-override"},
+         {"rapid_override_percent", "rapid-override"},
+         {"spindle_override_percent", "spindle-override"},
+         {"max_time_s", "max-time"},
+         {"max_cpu_s", "max-cpu-seconds"},
+         {"library", "lua-lib"},
+         {"module", "rcs"}}};
+    for (const auto& [ours, theirs] : kOtherWords) {
+        if (name == ours) name = theirs;
+    }
+    std::replace(name.begin(), name.end(), '_', '-');
+    return "--" + name;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
+                                                          const std::vector<SettingValue>& settings,
+                                                          const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return Fault(fmt::format("'{}': {}", folder, error.message()));
+    Plan one = plan;
+    one.settings.clear();
+    one.design = {.sampling = Sampling::listed, .listed = {settings}};
+    const Jobs jobs(one);
+    JobRunner runner;
+    std::vector<Job> written;
+    for (std::uint64_t i = 0; i < jobs.size(); ++i) {
+        const Job job = jobs.job(i);
+        const auto texts = runner.texts_of(job);
+        if (!texts) return Fault(texts.error().message);
+        auto made = VariantWriter(folder, stem_of(job, jobs.size())).write(job, *texts);
+        if (!made) return Fault(made.error());
+        written.push_back(*std::move(made));
+    }
+    return written;
+}
+
+std::string command_of(const Job& job) {
+    std::string text = "gsim run " + quoted_word(job.program);
+    if (!job.machine.empty()) text += " --machine " + quoted_word(job.machine);
+    for (const auto& [name, value] : job.options.items()) {
+        const std::string option = option_of(name);
+        if (name == "collisions") {
+            text += value.get<bool>() ? "" : " --no-collisions";
+        } else if (name == "lower_bound" || name == "joint_speeds") {
+            text += name == "lower_bound" && value.get<bool>() ? " --explain" : "";
+        } else if (value.is_boolean()) {
+            text += value.get<bool>() ? " " + option : "";
+        } else {
+            text +=
+                " " + option + " " + quoted_word(value.is_string() ? value.get<std::string>() : value.dump());
+        }
+    }
+    return text;
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "batch/plan/plan.h"
+#include "batch/work/job.h"
+
+namespace gsim::batch {
+
+/// Writes what a variant of a plan comes to into a folder, which is made: for each program on each machine
+/// the program (of a path, what is written of it), and machine file, cell, robots and machine data, where
+/// settings change them. What files name goes by whole names, so that they may lie elsewhere. Gives the jobs
+/// of these files, with options alone.
+tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
+                                                          const std::vector<SettingValue>& settings,
+                                                          const std::string& folder);
+
+/// How gsim is called for such a job, for people.
+std::string command_of(const Job& job);
+
+}  // namespace gsim::batch

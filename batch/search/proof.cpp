@@ -1,0 +1,112 @@
+#include "batch/search/proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsim::batch {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+constexpr double kSame = 1e-9;
+
+class Prover {
+  public:
+    Prover(const SearchPlan& search, const std::string& results, const Evaluate& evaluate)
+        : search_(search), results_(results), evaluate_(evaluate) {}
+
+    /// Runs of a variant as the search has made them, but for what is told of them.
+    tl::expected<Proof::Bounded, std::string> again(const Trial& trial) {
+        Plan plan = with_more(search_.plan);
+        plan.settings.clear();
+        plan.design = {.sampling = Sampling::listed, .listed = {trial.settings}};
+        return runs_of(plan).and_then([&](const auto& runs) { return compared(trial, runs); });
+    }
+
+    tl::expected<Proof::Bounded, std::string> from_files(const Trial& trial, const std::vector<Job>& files) {
+        std::vector<RunFigures> runs;
+        for (const Job& job : files) {
+            Plan plan = search_.plan;
+            plan.programs = {job.program};
+            plan.machines = {job.machine};
+            plan.options = job.options;
+            plan.settings.clear();
+            plan.design = {};
+            auto made = runs_of(with_more(std::move(plan)));
+            if (!made) return Fault(made.error());
+            runs.insert(runs.end(), made->begin(), made->end());
+        }
+        return compared(trial, runs);
+    }
+
+  private:
+    static Plan with_more(Plan plan) {
+        plan.options["lower_bound"] = true;
+        plan.keeps_reports = true;
+        return plan;
+    }
+
+    tl::expected<std::vector<RunFigures>, std::string> runs_of(const Plan& plan) {
+        const auto evaluated = evaluate_(plan);
+        if (!evaluated) return Fault(evaluated.error());
+        if (!evaluated->whole) return Fault("cut off before the best variant was proven");
+        auto results = Database::open(results_, true);
+        if (!results) return Fault(results.error());
+        return read_figures(*results, evaluated->batch, Jobs(plan).size());
+    }
+
+    tl::expected<Proof::Bounded, std::string> compared(const Trial& trial,
+                                                       const std::vector<RunFigures>& runs) {
+        const Score score = score_of(search_, runs, runs);
+        if (std::abs(score.value - trial.score.value) > kSame * std::max(1.0, std::abs(trial.score.value)) ||
+            (trial.score.is_allowed() && !score.is_allowed()))
+            return Fault(fmt::format("a run of its own comes to {} where the search had {}{}", score.value,
+                                     trial.score.value, why(runs)));
+        Proof::Bounded bounded{.value = score.value, .lower_bound_s = 0};
+        for (const RunFigures& run : runs) {
+            const auto& bound = run.figures.at("lower_bound_s");
+            bounded.lower_bound_s = bound && bounded.lower_bound_s
+                                        ? std::optional(*bounded.lower_bound_s + *bound)
+                                        : std::nullopt;
+        }
+        return bounded;
+    }
+
+    static std::string why(const std::vector<RunFigures>& runs) {
+        for (const RunFigures& run : runs) {
+            if (!run.is_clean()) return fmt::format(" ({}: {})", run.program, run.message);
+        }
+        return {};
+    }
+
+    const SearchPlan& search_;
+    const std::string& results_;
+    const Evaluate& evaluate_;
+};
+
+}  // namespace
+
+tl::expected<Proof, std::string> prove(const SearchPlan& search, const SearchState& state,
+                                       const std::string& results, const std::string& folder,
+                                       const Evaluate& evaluate) {
+    Prover prover(search, results, evaluate);
+    Proof proof;
+    auto start = prover.again(state.start);
+    if (!start) return Fault(start.error());
+    proof.start = *start;
+    if (!folder.empty()) {
+        auto files = write_variant(search.plan, state.best.settings, folder);
+        if (!files) return Fault(files.error());
+        proof.files = *std::move(files);
+    }
+    auto best = folder.empty() ? prover.again(state.best) : prover.from_files(state.best, proof.files);
+    if (!best) return Fault(best.error());
+    proof.best = *best;
+    return proof;
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "batch/plan/setting_file.h"
+#include "batch/search/figures.h"
+#include "batch/search/search_plan.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+
+constexpr std::array<std::string_view, 4> kSearchKeys{"variants", "first", "population", "seed"};
+constexpr std::array<std::string_view, 3> kLimitKeys{"figure", "least", "most"};
+constexpr std::uint64_t kMostVariants = 10'000'000;
+
+class SearchReader {
+  public:
+    SearchReader(std::string_view text, const std::string& file, Plan plan)
+        : error_(file), table_(base::parse_toml(error_, text)) {
+        search_.plan = std::move(plan);
+    }
+
+    tl::expected<SearchPlan, std::string> read() {
+        read_objective();
+        read_limits();
+        read_search();
+        check_settings();
+        add_options();
+        if (error_.text()) return tl::unexpected(*error_.text());
+        return std::move(search_);
+    }
+
+  private:
+    void fail(std::string_view key, const std::string& sentence) {
+        const toml::node* node = table_.get(key);
+        error_.report(node != nullptr ? node->source().begin : table_.source().begin, sentence);
+    }
+
+    void read_objective() {
+        const toml::table* objective = table_["objective"].as_table();
+        if (objective == nullptr || objective->empty())
+            return fail("objective",
+                        "a search needs [objective]: figures and their weights, as in 'cycle_time_s = 1'");
+        TomlSection section(error_, *objective, "[objective]", kFigures);
+        for (const auto& [key, node] : *objective) {
+            const double weight = section.number(key.str(), 1, NumberRule::finite);
+            if (weight == 0) section.fail(key.str(), "a weight of 0 says nothing");
+            search_.objective.push_back({std::string(key.str()), weight});
+        }
+    }
+
+    void read_limits() {
+        if (!table_.contains("limit")) return;
+        const toml::array* list = table_["limit"].as_array();
+        if (list == nullptr || !list->is_homogeneous(toml::node_type::table))
+            return fail("limit", "'limit' must be an array of tables, each under [[limit]]");
+        for (const toml::node& node : *list) {
+            TomlSection section(error_, *node.as_table(), "[[limit]]", kLimitKeys);
+            const std::size_t figure = section.choice("figure", 0, kFigures);
+            if (section.require("figure") == nullptr) continue;
+            FigureLimit limit{.figure = std::string(kFigures[figure])};
+            if (section.has("least")) limit.least = section.number("least", 0, NumberRule::finite);
+            if (section.has("most")) limit.most = section.number("most", 0, NumberRule::finite);
+            if (!limit.least && !limit.most) section.fail("figure", "[[limit]] has 'least', 'most' or both");
+            if (limit.least && limit.most && *limit.least > *limit.most)
+                section.fail("most", "'most' must not be less than 'least'");
+            search_.limits.push_back(std::move(limit));
+        }
+    }
+
+    void read_search() {
+        const toml::table* table = table_["search"].as_table();
+        if (table == nullptr) {
+            if (table_.contains("search")) fail("search", "'search' must be a table");
+            return;
+        }
+        TomlSection section(error_, *table, "[search]", kSearchKeys);
+        search_.variants = whole_number(section, "variants", 1, kMostVariants, search_.variants);
+        search_.seed = whole_number(section, "seed", 1, kMostVariants, search_.seed);
+        if (section.has("first")) search_.first = whole_number(section, "first", 1, kMostVariants, 1);
+        if (section.has("population"))
+            search_.population = whole_number(section, "population", 4, kMostVariants, 4);
+    }
+
+    void check_settings() {
+        if (search_.plan.settings.empty())
+            return fail("setting", "a search needs [[setting]]: what may change, and between which bounds");
+        for (const Setting& setting : search_.plan.settings) {
+            if (std::holds_alternative<Normal>(setting.domain) ||
+                std::holds_alternative<Triangular>(setting.domain))
+                fail("setting", fmt::format("'{}': a search takes 'from' and 'to', 'values' or 'orders', no "
+                                            "distribution",
+                                            setting.keys.front()));
+        }
+    }
+
+    bool needs(std::string_view figure) const {
+        const auto is_it = [&](const auto& each) { return each.figure == figure; };
+        return std::any_of(search_.objective.begin(), search_.objective.end(), is_it) ||
+               std::any_of(search_.limits.begin(), search_.limits.end(), is_it);
+    }
+
+    /// Without which runs do not have the figures.
+    void add_options() {
+        if (needs("joint_speed_share")) search_.plan.options["joint_speeds"] = true;
+        if (needs("lower_bound_s")) search_.plan.options["lower_bound"] = true;
+    }
+
+    FirstError error_;
+    toml::table table_;
+    SearchPlan search_;
+};
+
+}  // namespace
+
+tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name) {
+    return read_plan(toml_text, file_name, PlanUse::search).and_then([&](Plan plan) {
+        return SearchReader(toml_text, file_name, std::move(plan)).read();
+    });
+}
+
+}  // namespace gsim::batch

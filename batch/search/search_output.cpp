@@ -1,0 +1,202 @@
+#include "batch/search/search_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/text/xml_text.h"
+#include "batch/search/figures.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kWidth_px = 640, kHeight_px = 220, kLeft_px = 60, kFoot_px = 24;
+
+/// The sum of a figure over the runs of a trial, of those that have it; nothing: none has.
+std::optional<double> sum_of(const Trial& trial, std::string_view figure) {
+    std::optional<double> sum;
+    for (const RunFigures& run : trial.runs) {
+        const auto& value = run.figures.at(std::string(figure));
+        if (value) sum = sum.value_or(0) + *value;
+    }
+    return sum;
+}
+
+std::string shown(std::optional<double> value) {
+    return value ? fmt::format("{:.6g}", *value) : "-";
+}
+
+/// A row of a table in which start and best stand beside each other.
+std::string row(std::string_view title, std::optional<double> start, std::optional<double> best) {
+    return fmt::format("  {:<36}{:>14}{:>14}\n", title, shown(start), shown(best));
+}
+
+bool shows(std::string_view figure) {
+    return figure != "most_s" && figure != "lower_bound_s" && figure != "blocks" && figure != "warnings";
+}
+
+std::string faults_of(const Trial& trial) {
+    for (const RunFigures& run : trial.runs) {
+        if (!run.is_clean())
+            return fmt::format("{}: {}", run.program, run.message.empty() ? run.status : run.message);
+    }
+    return "beyond a limit of the search, or with more findings than the start";
+}
+
+std::string gain_text(const SearchState& state) {
+    if (!state.best.score.is_allowed())
+        return fmt::format("no variant is without a fault; the nearest one fails: {}\n",
+                           faults_of(state.best));
+    if (state.best_number == 0) return "nothing that was tried is better than the start\n";
+    if (!state.start.score.is_allowed()) return fmt::format("the start fails: {}\n", faults_of(state.start));
+    const double gain = state.start.score.value - state.best.score.value;
+    return fmt::format("the objective is less by {:.6g} ({:.2f} %)\n", gain,
+                       100 * gain / std::max(std::abs(state.start.score.value), 1e-300));
+}
+
+std::string proof_text(const std::optional<Proof>& proof) {
+    if (!proof) return {};
+    std::string text = "proven by runs of their own";
+    if (proof->best.lower_bound_s)
+        text += fmt::format("; no controller could take this way in less than {:.6g} s",
+                            *proof->best.lower_bound_s);
+    if (proof->start.lower_bound_s)
+        text += fmt::format(" (the start's: {:.6g} s)", *proof->start.lower_bound_s);
+    text += '\n';
+    for (const Job& job : proof->files) text += "  " + command_of(job) + '\n';
+    return text;
+}
+
+ordered_json json_of(const Trial& trial) {
+    ordered_json text{{"settings", settings_json(trial.settings)},
+                      {"value", trial.score.value},
+                      {"violation", trial.score.violation},
+                      {"runs", ordered_json::array()}};
+    for (const RunFigures& run : trial.runs) {
+        ordered_json& one = text["runs"].emplace_back(
+            ordered_json{{"program", run.program}, {"status", run.status}, {"cause", run.cause}});
+        if (!run.message.empty()) one["message"] = run.message;
+        for (const auto& [figure, value] : run.figures)
+            one[figure] = value ? ordered_json(*value) : ordered_json();
+    }
+    return text;
+}
+
+ordered_json bound_json(const Proof::Bounded& bounded) {
+    return {{"value", bounded.value},
+            {"lower_bound_s", bounded.lower_bound_s ? ordered_json(*bounded.lower_bound_s) : ordered_json()}};
+}
+
+struct Dot {
+    double number, value;
+    bool allowed;
+};
+
+tl::expected<std::vector<Dot>, std::string> dots_of(Database& results, std::int64_t search) {
+    auto rows = results.prepare(
+        "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? ORDER BY number");
+    if (!rows) return tl::unexpected(rows.error());
+    rows->bind(1, search);
+    std::vector<Dot> dots;
+    while (true) {
+        const auto row = rows->step();
+        if (!row) return tl::unexpected(row.error());
+        if (!*row) return dots;
+        dots.push_back({static_cast<double>(rows->whole(0)), rows->number(1), rows->number(2) == 0});
+    }
+}
+
+/// Trials over their number, those that are allowed filled; the line is the best one so far.
+std::string picture(const std::vector<Dot>& dots) {
+    double least = INFINITY, most = -INFINITY;
+    for (const Dot& dot : dots) {
+        if (!dot.allowed) continue;
+        least = std::min(least, dot.value);
+        most = std::max(most, dot.value);
+    }
+    if (!(least <= most)) return "<p>No trial is without a fault.</p>";
+    const double span = std::max(most - least, 1e-12);
+    const double count = std::max(dots.back().number, 1.0);
+    const auto x = [&](double number) { return kLeft_px + number / count * (kWidth_px - kLeft_px - 10); };
+    const auto y = [&](double value) {
+        const double share = std::clamp((value - least) / span, -0.05, 1.05);
+        return 12 + (1 - share) * (kHeight_px - kFoot_px - 24);
+    };
+    std::string svg = fmt::format(
+        "<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>Trials of the search</title>", kWidth_px, kHeight_px);
+    std::string line;
+    double best = INFINITY;
+    for (const Dot& dot : dots) {
+        svg += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>",
+                           dot.allowed ? "allowed" : "refused", x(dot.number), y(dot.value));
+        if (!dot.allowed || dot.value >= best) continue;
+        if (std::isfinite(best)) line += fmt::format(" {:.1f},{:.1f}", x(dot.number), y(best));
+        best = dot.value;
+        line += fmt::format(" {:.1f},{:.1f}", x(dot.number), y(best));
+    }
+    line += fmt::format(" {:.1f},{:.1f}", x(count), y(best));
+    return svg + fmt::format(
+                     "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" "
+                     "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} trials</text></svg>",
+                     line, kLeft_px - 4, y(most) + 4, most, kLeft_px - 4, y(least) + 4, least, kWidth_px - 4,
+                     kHeight_px - 6, dots.size());
+}
+
+constexpr const char* kPage = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gsim-optimise</title><style>
+:root {{ color-scheme: light dark; }} body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }}
+pre {{ overflow-x: auto; }} svg {{ width: 100%; max-width: 640px; }} text {{ font-size: 10px; text-anchor: end; fill: currentColor; }}
+.allowed {{ fill: #4a7ab5; }} .refused {{ fill: none; stroke: #b5524a; stroke-opacity: 0.5; }} polyline {{ fill: none; stroke: #4a7ab5; }}
+</style></head><body><h1>Search by {}</h1>
+{}<p>Each dot is a variant, one that is without a fault filled; the line is the best one so far.</p>
+<pre>{}</pre></body></html>
+)";
+
+}  // namespace
+
+std::string to_text(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof) {
+    std::string text = fmt::format("{} variants tried, {} without a fault\n", state.tried, state.allowed);
+    text += fmt::format("  {:<36}{:>14}{:>14}\n", "", "start", "best");
+    text += row("objective", state.start.score.value, state.best.score.value);
+    for (const std::string_view figure : kFigures) {
+        const auto start = sum_of(state.start, figure), best = sum_of(state.best, figure);
+        if (shows(figure) && (start.value_or(0) != 0 || best.value_or(0) != 0))
+            text += row(figure, start, best);
+    }
+    for (const SettingValue& setting : state.best.settings)
+        text += fmt::format("  {:<50}{:>14}\n", setting.key,
+                            settings_json({setting}).front().is_string()
+                                ? settings_json({setting}).front().get<std::string>()
+                                : settings_json({setting}).front().dump());
+    if (!state.whole) text += fmt::format("cut off; {} variants were to be tried\n", search.variants + 1);
+    return text + gain_text(state) + proof_text(proof);
+}
+
+std::string to_json(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof) {
+    ordered_json text{{"plan", search.plan.name},      {"search", state.search},
+                      {"whole", state.whole},          {"variants", state.tried},
+                      {"allowed", state.allowed},      {"best_number", state.best_number},
+                      {"start", json_of(state.start)}, {"best", json_of(state.best)}};
+    if (proof) {
+        text["proof"] = {{"start", bound_json(proof->start)}, {"best", bound_json(proof->best)}};
+        for (const Job& job : proof->files) text["proof"]["commands"].push_back(command_of(job));
+    }
+    return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
+                                               const std::optional<Proof>& proof, Database& results) {
+    return dots_of(results, state.search).map([&](const std::vector<Dot>& dots) {
+        return fmt::format(fmt::runtime(kPage), text::xml_text(search.plan.name), picture(dots),
+                           text::xml_text(to_text(search, state, proof)));
+    });
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "batch/search/proof.h"
+#include "batch/search/search.h"
+#include "batch/store/sqlite.h"
+
+namespace gsim::batch {
+
+/// What a search has come to, for people. `proof`: where the best variant was run once more.
+std::string to_text(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof);
+std::string to_json(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof);
+/// One page that needs no other file, with a picture of all trials from the results.
+tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
+                                               const std::optional<Proof>& proof, Database& results);
+
+}  // namespace gsim::batch

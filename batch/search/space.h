@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "batch/plan/setting.h"
+
+namespace gsim::batch {
+
+/// Settings as points of a box, each coordinate from 0 to 1: one for a setting, and for an order as many as
+/// it has things, which stand in the order of their coordinates.
+class Space {
+  public:
+    explicit Space(std::vector<Setting> settings);
+
+    std::size_t dimensions() const { return dimensions_; }
+    std::vector<SettingValue> variant(const Eigen::VectorXd& point) const;
+
+  private:
+    std::vector<Setting> settings_;
+    std::size_t dimensions_ = 0;
+};
+
+}  // namespace gsim::batch

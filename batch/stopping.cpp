@@ -1,0 +1,33 @@
+#include "batch/stopping.h"
+
+#include <csignal>
+
+namespace gsim::batch {
+
+namespace {
+
+extern "C" void ask_to_stop(int signal) {
+    if (stop_flag().exchange(true)) {
+        // Asked twice: whoever waits does not want to.
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
+}  // namespace
+
+std::atomic<bool>& stop_flag() {
+    static std::atomic<bool> stop = false;  // a signal handler reaches nothing else
+    return stop;
+}
+
+void stop_on_signals() {
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+}
+
+void stop_when_ended() {
+    std::signal(SIGTERM, ask_to_stop);
+}
+
+}  // namespace gsim::batch
