@@ -17,8 +17,8 @@ namespace gsim::batch {
 /// What a run came to, as the file of results has it.
 struct RunFigures {
     std::int64_t run = 0;
-    std::string status, cause, message, program;
-    std::map<std::string, std::optional<double>, std::less<>> figures;  ///< Of kFigures.
+    std::string status = {}, cause = {}, message = {}, program = {};
+    std::map<std::string, std::optional<double>, std::less<>> figures = {};  ///< Of kFigures.
 
     bool is_clean() const { return status == "completed" && cause.empty(); }
     double figure(std::string_view name, double fallback = 0) const;

@@ -1,0 +1,294 @@
+// Plans of searches, what they count, and how a search goes on, with runs of a closed form.
+#include "batch/search/search.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "batch/search/space.h"
+#include "batch/store/results.h"
+
+namespace gsim::batch::search_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* kPlan = R"(programs = ["p.nc"]
+machines = ["m.toml"]
+[objective]
+cycle_time_s = 1
+[search]
+variants = 150
+seed = 3
+[[setting]]
+key = "machine.a"
+from = -4
+to = 4
+[[setting]]
+key = "machine.b"
+from = -4
+to = 4
+)";
+
+class SearchFile : public testing::Test {
+  protected:
+    SearchFile() {
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "p.nc") << "M2\n";
+    }
+    ~SearchFile() override { fs::remove_all(folder_); }
+
+    tl::expected<SearchPlan, std::string> read(const std::string& text) const {
+        return read_search(text, (folder_ / "plan.toml").string());
+    }
+    std::string refusal(const std::string& text) const {
+        const auto search = read(text);
+        return search ? "" : search.error();
+    }
+
+    /// Runs a batch as `row` says.
+    Evaluate evaluate_by(std::function<RunRow(const Job&)> row) {
+        return [this, row = std::move(row)](const Plan& plan) -> tl::expected<Evaluated, std::string> {
+            if (batches_left_-- == 0) return Evaluated{};
+            auto results = Results::open(results_);
+            EXPECT_TRUE(results->begin_batch(plan.name, Jobs(plan).size(), "v"));
+            const Jobs jobs(plan);
+            for (std::uint64_t i = 0; i < jobs.size(); ++i) {
+                const Job job = jobs.job(i);
+                ++evaluated_;
+                const auto run = results->add(job, {std::to_string(evaluated_), "", ""}, row(job), "v");
+                EXPECT_TRUE(run && results->note(i, *run, false));
+            }
+            EXPECT_TRUE(results->end_batch(true));
+            return Evaluated{results->batch(), true};
+        };
+    }
+
+    tl::expected<SearchState, std::string> search(const SearchPlan& plan,
+                                                  std::function<RunRow(const Job&)> row) {
+        return search_best(plan, results_, evaluate_by(std::move(row)), [](const SearchState&) {});
+    }
+
+    double number(const std::string& query) const {
+        auto database = Database::open(results_, true);
+        auto asked = database->prepare(query);
+        EXPECT_TRUE(asked && asked->step().value_or(false)) << query;
+        return asked->number(0);
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / ("gsim-search-" + std::to_string(::getpid()));
+    std::string results_ = (folder_ / "r.sqlite").string();
+    int batches_left_ = 1'000'000;
+    int evaluated_ = 0;
+};
+
+double setting(const Job& job, std::size_t place) {
+    return job.settings.empty() ? 0 : job.settings[place].value.get<double>();
+}
+
+RunRow clean(double time_s) {
+    return {.status = "completed", .cycle_time_s = time_s, .extents = "{}", .findings = "[]"};
+}
+
+/// Least at 1, -2, where it is 10.
+RunRow bowl(const Job& job) {
+    return clean(10 + std::pow(setting(job, 0) - 1, 2) + 4 * std::pow(setting(job, 1) + 2, 2));
+}
+
+TEST_F(SearchFile, FindsTheLeastOfABowl) {
+    const auto plan = read(kPlan);
+    ASSERT_TRUE(plan) << plan.error();
+    const auto state = search(*plan, bowl);
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_EQ(state->start.score.value, 27) << "with the settings that the files have";
+    EXPECT_NEAR(state->best.score.value, 10, 1e-3);
+    EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
+    EXPECT_EQ(state->tried, 151U);
+    EXPECT_EQ(evaluated_, 151) << "no more than was allowed, and the start";
+    EXPECT_TRUE(state->whole);
+    EXPECT_EQ(number("SELECT count(*) FROM evaluations"), 151);
+    EXPECT_EQ(number("SELECT min(value) FROM search_run"), state->best.score.value);
+    EXPECT_EQ(number("SELECT best FROM search"), static_cast<double>(state->best_number));
+    EXPECT_EQ(number("SELECT cycle_time_s FROM evaluations WHERE number = (SELECT best FROM search)"),
+              state->best.score.value);
+}
+
+TEST_F(SearchFile, TheSamePlanTriesTheSame) {
+    const auto plan = read(kPlan);
+    std::vector<std::string> first, second;
+    for (auto* tried : {&first, &second}) {
+        ASSERT_TRUE(search(*plan, [&](const Job& job) {
+            tried->push_back(settings_json(job.settings).dump());
+            return bowl(job);
+        }));
+    }
+    EXPECT_EQ(first, second);
+}
+
+TEST_F(SearchFile, IsCutOffWithWhatItHas) {
+    const auto plan = read(kPlan);
+    batches_left_ = 4;
+    const auto state = search(*plan, bowl);
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_FALSE(state->whole);
+    EXPECT_GT(state->tried, 20U);
+    EXPECT_LT(state->best.score.value, 27);
+    batches_left_ = 0;
+    EXPECT_EQ(search(*plan, bowl)->tried, 0U);
+}
+
+// The least of the bowl is not allowed: behind a line a run fails, and a limit keeps a figure.
+TEST_F(SearchFile, KeepsToWhatIsAllowed) {
+    const std::string text = std::string(kPlan) + "[[limit]]\nfigure = \"clearance_mm\"\nleast = 1\n";
+    auto plan = read(text);
+    ASSERT_TRUE(plan) << plan.error();
+    plan->variants = 400;  // in a corner of two limits it goes by smaller steps
+    const auto fenced = [](const Job& job) {
+        RunRow row = bowl(job);
+        row.clearance_mm = 2 - setting(job, 0);  // a of 1 at most
+        if (setting(job, 1) < -1) {
+            row.cause = "collision";
+            row.collisions = 3;
+        }
+        return row;
+    };
+    const auto state = search(*plan, fenced);
+    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state->best.score.is_allowed());
+    EXPECT_NEAR(state->best.score.value, 14, 0.05) << "at 1, -1";
+    EXPECT_GE(state->best.settings[1].value.get<double>(), -1);
+    EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE violation = 0"),
+              static_cast<double>(state->allowed));
+}
+
+TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
+    const auto plan = read(kPlan);
+    const auto violation = [&](RunRow row) {
+        Plan one = plan->plan;
+        one.settings.clear();
+        const auto evaluated = evaluate_by([&](const Job&) { return row; })(one);
+        auto results = Database::open(results_);
+        const auto runs = read_figures(*results, evaluated->batch, 1);
+        const std::vector<RunFigures> start{{.status = "completed", .figures = {{"process_findings", 1}}}};
+        return score_of(*plan, *runs, start).violation;
+    };
+    RunRow touching = clean(1), past = clean(1), far = clean(1), findings = clean(1), alarm, early, refused;
+    touching.cause = "collision";
+    touching.collisions = 1;
+    past.status = "violations";
+    past.violations = 12;
+    findings.process_findings = 2;
+    alarm.status = early.status = "alarm";
+    alarm.blocks = 1000;
+    early.blocks = 10;
+    refused.status = "refused";
+    EXPECT_EQ(violation(clean(1)), 0);
+    EXPECT_EQ(violation(findings), 1) << "one more than the start has";
+    EXPECT_EQ(violation(touching), 1);
+    EXPECT_EQ(violation(past), 12);
+    EXPECT_LT(violation(past), violation(alarm));
+    EXPECT_LT(violation(alarm), violation(early)) << "it came farther";
+    EXPECT_LT(violation(early), violation(refused));
+}
+
+TEST_F(SearchFile, SumsOverProgramsAndMachines) {
+    std::ofstream(folder_ / "q.nc") << "M2\n";
+    std::string text = kPlan;
+    text.replace(text.find("\"p.nc\""), 6, "\"p.nc\", \"q.nc\"");
+    const auto plan = read(text);
+    ASSERT_TRUE(plan) << plan.error();
+    // Each has its least elsewhere; the sum has it halfway.
+    const auto state = search(*plan, [](const Job& job) {
+        return clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
+    });
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_NEAR(state->best.score.value, 4, 1e-3);
+    EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
+    EXPECT_EQ(state->best.runs.size(), 2U);
+    EXPECT_EQ(number("SELECT count(*) FROM search_run"), 302);
+}
+
+TEST_F(SearchFile, FiguresThatRunsDoNotHaveAreNamed) {
+    std::string text = kPlan;
+    text.replace(text.find("cycle_time_s"), 12, "energy_j");
+    const auto state = search(*read(text), bowl);
+    ASSERT_FALSE(state);
+    EXPECT_THAT(state.error(), HasSubstr("have no 'energy_j'"));
+}
+
+TEST_F(SearchFile, FindsAnOrder) {
+    std::string text = kPlan;
+    text.erase(text.find("[[setting]]"));
+    text += "[[setting]]\nkey = \"path.order\"\norders = 5\n";
+    // The way through points on a line, in any order; 4 there and back is the least.
+    const auto plan = read(text);
+    ASSERT_TRUE(plan) << plan.error();
+    const auto state = search(*plan, [](const Job& job) {
+        constexpr std::array kAt{3.0, 1.0, 4.0, 0.0, 2.0};
+        double at = 0, way = 0;
+        const std::vector<std::size_t> order = job.settings.empty()
+                                                   ? std::vector<std::size_t>{0, 1, 2, 3, 4}
+                                                   : job.settings[0].value.get<std::vector<std::size_t>>();
+        for (const std::size_t place : order) {
+            way += std::abs(kAt[place] - at);
+            at = kAt[place];
+        }
+        return clean(way);
+    });
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_EQ(state->best.score.value, 4);
+    EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
+}
+
+TEST(Space, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
+    const Space space({{{"machine.a", "machine.b"}, Uniform{10, 20}, SettingUse::shift},
+                       {{"path.order"}, Order{3}},
+                       {{"option.dialect"}, Choices{{"ab9", "rs274ngc"}}}});
+    ASSERT_EQ(space.dimensions(), 5U);
+    Eigen::VectorXd point(5);
+    point << 0.25, 0.9, 0.1, 0.5, 1;
+    const std::vector<SettingValue> values = space.variant(point);
+    EXPECT_EQ(values[0], (SettingValue{"machine.a", 12.5, SettingUse::shift}));
+    EXPECT_EQ(values[1], (SettingValue{"machine.b", 12.5, SettingUse::shift}));
+    EXPECT_EQ(values[2].value, (nlohmann::json{1U, 2U, 0U}));
+    EXPECT_EQ(values[3].value, "rs274ngc") << "the end of the box is its last value";
+}
+
+TEST_F(SearchFile, SaysWhatIsWrong) {
+    const std::string text = kPlan;
+    const auto without = [&](const std::string& part) {
+        std::string less = text;
+        return less.erase(less.find(part), part.size());
+    };
+    EXPECT_THAT(refusal(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("needs [objective]"));
+    EXPECT_THAT(refusal(text.substr(0, text.find("[[setting]]"))), HasSubstr("needs [[setting]]"));
+    const auto with = [&](const std::string& more) { return refusal(text + more); };
+    EXPECT_THAT(with("[[limit]]\nmost = 1\n"), HasSubstr("lacks the key 'figure'"));
+    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\n"), HasSubstr("'least', 'most' or both"));
+    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\nleast = 3\nmost = 1\n"),
+                HasSubstr("not be less"));
+    EXPECT_THAT(with("[[limit]]\nfigure = \"cycle\"\nmost = 1\n"), HasSubstr("'figure' must be"));
+    EXPECT_THAT(
+        with("[[setting]]\nkey = \"machine.c\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n"),
+        HasSubstr("no distribution"));
+    std::string wrong = text;
+    EXPECT_THAT(refusal(wrong.replace(wrong.find("cycle_time_s"), 12, "cycle_tims_s")),
+                HasSubstr("did you mean 'cycle_time_s'?"));
+    wrong = text;
+    EXPECT_THAT(refusal(wrong.replace(wrong.find("= 1\n"), 3, "= 0")), HasSubstr("a weight of 0"));
+    wrong = text;
+    EXPECT_THAT(refusal(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
+                HasSubstr("whole number"));
+    EXPECT_THAT(refusal("objective = 1\n"), HasSubstr("programs"));
+    std::string speeds = text;
+    speeds.replace(speeds.find("cycle_time_s"), 12, "joint_speed_share");
+    EXPECT_EQ(read(speeds)->plan.options["joint_speeds"], true);
+}
+
+}  // namespace
+}  // namespace gsim::batch::search_test
