@@ -37,7 +37,15 @@ void add_options(apps::CommandLine& line, Arguments& a) {
     line.add("--statistics-json", &a.statistics_json, "write that as JSON, with histograms")
         .of_file(FileKind::output, {".json"});
     line.add("--page", &a.page, "write it as a page with pictures").of_file(FileKind::output, {".html"});
-    line.add("--since", &a.since, "with these: against the batch of that number, too; 0: the one before")
+    line.add(
+            "--pages", &a.pages,
+            "write a front page, with what has changed since the batch before and what fails, and a page for "
+            "each program into this folder; pages written there before are replaced, other files stay")
+        .of_file(FileKind::folder);
+    line.add("--since", &a.since,
+             "with statistics and pages: against the batch of that number; 0: the one before, as pages have "
+             "it "
+             "without")
         .called("BATCH");
     line.add("-q,--quiet", &a.quiet, "no word on the way, no summary");
     line.begin_group("How it is run");
@@ -72,6 +80,8 @@ void add_options(apps::CommandLine& line, Arguments& a) {
     line.add_example("gsim-batch --machine mine.toml --machine other.toml programs/",
                      "each program of a folder on two machines");
     line.add_example("gsim-batch plan.toml --results nightly.sqlite --junit nightly.xml", "what a plan says");
+    line.add_example("gsim-batch programs/ --results nightly.sqlite --pages site",
+                     "a nightly check, to be read in a browser");
     line.add_example("gsim-batch plan.toml --slurm --results /shared/study.sqlite", "on a cluster");
     line.add_example("gsim-batch --results nightly.sqlite --csv -", "the runs of the batch before, as CSV");
     line.add_example("sqlite3 nightly.sqlite 'SELECT * FROM causes'", "why runs fail, and how many");

@@ -28,7 +28,7 @@ struct Arguments {
     std::uint64_t shard_runs = 1000, task_workers = 1, time_limit_min = 0;
     std::string csv, json_lines, junit, sarif;
     bool statistics = false;
-    std::string statistics_json, page;
+    std::string statistics_json, page, pages;
     std::optional<double> since;
     bool quiet = false;
 };

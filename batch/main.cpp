@@ -21,6 +21,7 @@
 #include "base/os/output_file.h"
 #include "batch/arguments.h"
 #include "batch/optimise.h"
+#include "batch/pages/pages.h"
 #include "batch/run/batch_run.h"
 #include "batch/slurm/cluster_batch.h"
 #include "batch/slurm/waiting.h"
@@ -149,6 +150,11 @@ Done write_outputs(const Arguments& arguments) {
         .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
         .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
         .and_then([&] { return write_statistics(arguments, *results); })
+        .and_then([&]() -> Done {
+            if (arguments.pages.empty()) return {};
+            return write_pages(*results, arguments.pages,
+                               static_cast<std::int64_t>(arguments.since.value_or(0)));
+        })
         .and_then([&]() -> Done {
             if (arguments.quiet || prints || arguments.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text); });

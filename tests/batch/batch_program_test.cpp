@@ -217,6 +217,33 @@ TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
     EXPECT_THAT(read("t.xml"), HasSubstr("<testsuite name=\"broken.toml\" tests=\"5\" failures=\"5\">"));
 }
 
+// Two nights, with an edit in between that breaks a program and one that mends another.
+TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
+    write("m.toml", kSlide);
+    write("a<1>.ngc", "G21 F600\nG1 X10\nM2\n");
+    write("b.ngc", "G21 F600\nG1 X5000\nM2\n");
+    const std::vector<std::string> night{"--machine", "m.toml", ".", "--pages", "site", "-q"};
+    EXPECT_EQ(batch(night).status, 1);
+    EXPECT_THAT(read("site/index.html"), HasSubstr("There is no batch before this one."));
+    write("a<1>.ngc", "G21 F600\nG1 X5000\nM2\n");
+    write("b.ngc", "G21 F600\nG1 X20\nM2\n");
+    EXPECT_EQ(batch(night).status, 1);
+    const std::string front = read("site/index.html");
+    const std::size_t failing = front.find("<h3 id=\"newly-failing\">"),
+                      mended = front.find("<h3 id=\"mended\">");
+    ASSERT_NE(mended, std::string::npos);
+    EXPECT_THAT(front.substr(failing, mended - failing), HasSubstr("a&lt;1&gt;.ngc"));
+    EXPECT_THAT(front.substr(failing, mended - failing), HasSubstr("axis-limit"));
+    EXPECT_THAT(front.substr(mended), HasSubstr("b.ngc"));
+
+    EXPECT_EQ(batch({"--pages", "site"}).status, 0) << "of the results alone";
+    EXPECT_EQ(read("site/index.html"), front);
+    EXPECT_THAT(batch({"--pages", "site", "--since", "7"}).err, HasSubstr("no batch 7"));
+    const Ended unwritable = batch({"--pages", "m.toml/site"});
+    EXPECT_EQ(unwritable.status, 2);
+    EXPECT_THAT(unwritable.err, HasSubstr("m.toml/site"));
+}
+
 // Killed in its middle, as by a power cut: what was there stays, the same command goes on.
 TEST_F(BatchProgram, GoesOnWhereItWasCutOff) {
     write("m.toml", kSlide);

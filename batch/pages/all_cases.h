@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "batch/pages/night.h"
+
+namespace gsim::batch {
+
+inline constexpr const char* kFrontPage = "index.html";
+
+/// The part of the table of all cases that stands on a page, counted from 0, and links to the other parts.
+std::string cases_text(const Night& night, std::size_t part);
+
+/// The pages of the further parts, by their names: the front page has the first one.
+std::vector<std::pair<std::string, std::string>> further_pages(const Night& night);
+
+}  // namespace gsim::batch

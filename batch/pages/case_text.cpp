@@ -1,0 +1,158 @@
+#include "batch/pages/case_text.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "batch/pages/history_text.h"
+#include "batch/pages/open_commands.h"
+#include "batch/pages/page_text.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kMostFiles = 100;  // of those that a run has read
+
+std::string time_with_interval(const Case& of, const WholeRun& run) {
+    if (!of.now->has_time())
+        return fmt::format("{} s, where it ended before its end", seconds(of.now->time_s));
+    std::string text = seconds(of.now->time_s) + " s";
+    if (run.least_s && run.most_s)
+        text += fmt::format(" (95 %: {} to {} s)", seconds(*run.least_s), seconds(*run.most_s));
+    return text;
+}
+
+std::string extents_text(const std::string& extents) {
+    const auto read = ordered_json::parse(extents, nullptr, false);
+    std::string text;
+    for (const auto& [axis, range] : read.items()) {
+        if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
+            continue;
+        text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", shown(axis),
+                            range[0].get<double>(), range[1].get<double>());
+    }
+    return text.empty() ? text : text + " (mm, degrees)";
+}
+
+std::string figures(const CaseDetails& details) {
+    const RunFacts& facts = *details.of->now;
+    const WholeRun& run = details.now;
+    std::vector<std::pair<std::string_view, std::string>> all{{"Outcome", outcome(facts)}};
+    if (!facts.is_clean()) all.emplace_back("First fault", first_fault(facts));
+    all.emplace_back("Cycle time", time_with_interval(*details.of, run));
+    all.emplace_back("of which",
+                     fmt::format("{} s in rapid, {} s at feed, {} s dwelling", seconds(run.rapid_s),
+                                 seconds(run.feed_s), seconds(run.dwell_s)));
+    all.emplace_back("Way",
+                     fmt::format("{:.1f} mm in rapid, {:.1f} mm at feed, {:.1f} mm with the process on",
+                                 run.rapid_mm, run.feed_mm, run.jet_on_mm));
+    all.emplace_back("Blocks, moves", fmt::format("{}, {}", run.blocks, run.moves));
+    if (std::string extents = extents_text(run.extents); !extents.empty())
+        all.emplace_back("Extents", std::move(extents));
+    if (run.energy_j)
+        all.emplace_back("Energy of the motors", fmt::format("{:.6g} kJ", *run.energy_j / 1000));
+    all.emplace_back("Findings",
+                     fmt::format("{} of limits, {} collisions, {} of the process; {} warnings",
+                                 facts.violations, facts.collisions, facts.process_findings, facts.warnings));
+    if (!run.machine_name.empty()) all.emplace_back("Machine", shown(run.machine_name));
+    if (!run.controller.empty()) all.emplace_back("Control", shown(run.controller));
+    if (run.options != "{}") all.emplace_back("Options", settings_in(run.options));
+    all.emplace_back("Run", fmt::format("{} by gsim {}{}", moment(run.ran_at), shown(run.version),
+                                        details.of->is_reused ? "; found again since" : ""));
+    return list_of(all);
+}
+
+std::string text_at(const ordered_json& told, const char* key) {
+    const auto found = told.find(key);
+    return found != told.end() && found->is_string() ? shown(found->get<std::string>()) : std::string();
+}
+
+std::string finding_text(const ordered_json& told) {
+    const std::string severity = text_at(told, "severity"), file = text_at(told, "file");
+    const auto line = told.find("line");
+    const bool has_line = line != told.end() && line->is_number_integer();
+    const std::string place = has_line ? fmt::format("{}:{}", file, line->get<std::int64_t>()) : file;
+    const std::string hint = text_at(told, "hint");
+    return fmt::format(
+        "<li><code>{}</code> <span class=\"{}\">{}</span>: {} <span class=\"soft\">[{}]</span>{}</li>\n",
+        place, severity == "error" ? "bad" : "soft", severity, text_at(told, "text"), text_at(told, "code"),
+        hint.empty() ? hint : " " + hint);
+}
+
+std::string kept_findings(const RunFacts& facts, const WholeRun& run) {
+    std::string items;
+    std::int64_t count = 0;
+    for (const ordered_json& told : ordered_json::parse(run.findings, nullptr, false)) {
+        if (told.is_object()) items += finding_text(told);
+        count += told.is_object() ? 1 : 0;
+    }
+    if (count == 0) return {};
+    std::string text = fmt::format("<h3>Findings</h3>\n<ol>\n{}</ol>\n", items);
+    const std::int64_t all = facts.findings() + facts.warnings;
+    if (all > count) text += fmt::format("<p class=\"soft\">The first {} of {}.</p>\n", count, all);
+    return text;
+}
+
+std::string change_text(const Night& night, const CaseDetails& details) {
+    const Case& of = *details.of;
+    if (!night.before) return {};
+    if (of.before == nullptr) return fmt::format("<p>New since {}.</p>\n", named(*night.before));
+    if (of.before == of.now) return fmt::format("<p>The same run as in {}.</p>\n", named(*night.before));
+    std::string text = fmt::format("<p>In {}: {}", named(*night.before), outcome(*of.before));
+    if (of.before->has_time()) text += fmt::format(", {} s", seconds(of.before->time_s));
+    if (of.before->has_time() && of.now->has_time())
+        text += fmt::format("; now {}", difference(of.before->time_s, of.now->time_s));
+    return text + fmt::format(".<br/>Run anew for: {}.</p>\n", reasons_text(details.why_anew));
+}
+
+std::string files_text(const WholeRun& run) {
+    if (run.files.empty()) return "<p>What it has read is not known.</p>\n";
+    TableText table("Files that it has read", {"File", "SHA-256"});
+    for (std::size_t i = 0; i < std::min(run.files.size(), kMostFiles); ++i)
+        table.add({shown(run.files[i].name),
+                   run.files[i].sha256.empty() ? std::string("looked for, and not there")
+                                               : fmt::format("<code>{}</code>", shown(run.files[i].sha256))});
+    std::string text = table.text();
+    if (run.files.size() > kMostFiles)
+        text += fmt::format("<p>{} more are left out here.</p>\n", run.files.size() - kMostFiles);
+    return text;
+}
+
+std::string command_text(std::string_view what, const OpenCommand& command) {
+    if (command.line.empty()) return {};
+    std::string text =
+        fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what, shown(command.line));
+    if (command.left_out.empty()) return text;
+    std::string names;
+    for (const std::string& name : command.left_out) names += (names.empty() ? "" : ", ") + shown(name);
+    return text +
+           fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
+}
+
+}  // namespace
+
+std::string reasons_text(const std::vector<std::string>& reasons) {
+    if (reasons.empty()) return "nothing that is known of";
+    std::string text;
+    for (const std::string& reason : reasons) text += (text.empty() ? "" : ", ") + shown(reason);
+    return text;
+}
+
+std::string case_text(const Night& night, const CaseDetails& details) {
+    const Case& of = *details.of;
+    std::string title = machine_named(of.machine);
+    if (const std::string settings = settings_in(of.settings); !settings.empty()) title += ", " + settings;
+    return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.place + 1, title) + figures(details) +
+           change_text(night, details) + kept_findings(*of.now, details.now) + "<h3>History</h3>\n" +
+           history_text(night, of) + "<h3>See it run</h3>\n" +
+           command_text("In the studio, from where the batch was run:", studio_command(details.now)) +
+           command_text("As a page that can be sent:", view_command(details.now)) +
+           "<h3>Files that it has read</h3>\n" + files_text(details.now) + "</section>\n";
+}
+
+}  // namespace gsim::batch

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "batch/store/sqlite.h"
+
+namespace gsim::batch {
+
+/// A batch, by its own row and by its runs.
+struct BatchFacts {
+    std::int64_t id = 0;
+    std::string plan, version;
+    std::string began_at, ended_at;  ///< UTC, as of ISO 8601; empty: it has not ended, or was cut off.
+    std::int64_t jobs = 0;
+    bool whole = false;
+    std::int64_t runs = 0, failed = 0, reused = 0;  ///< Jobs that have a run, and of which kind.
+};
+
+/// What a run came to, as far as runs are compared with each other.
+struct RunFacts {
+    std::int64_t id = 0;
+    std::string status, cause, message, file;
+    std::int64_t line = 0;
+    double time_s = 0;
+    std::int64_t violations = 0, collisions = 0, process_findings = 0, warnings = 0;
+
+    bool is_clean() const { return status == "completed" && cause.empty(); }
+    /// Past limits or with a collision it has come to its end all the same: its time is that of the program.
+    bool has_time() const { return status == "completed" || status == "violations"; }
+    std::int64_t findings() const { return violations + collisions + process_findings; }
+};
+
+/// The run that stood for a case in a batch.
+struct PastRun {
+    std::size_t batch = 0;  ///< Place in Night::batches.
+    const RunFacts* run = nullptr;
+};
+
+/// A program on a machine in one variant of the settings: what two batches are compared by.
+struct Case {
+    std::string program, machine, settings;  ///< Settings as JSON.
+    const RunFacts* now = nullptr;           ///< None: it is gone.
+    const RunFacts* before = nullptr;        ///< None: it is new.
+    bool is_reused = false;
+    std::size_t place = 0;              ///< Among those of its program, from 0.
+    bool has_details = false;           ///< On its program's page, which has room for some.
+    std::vector<PastRun> history = {};  ///< By batch; the latest one, too.
+};
+
+/// All cases of one program, by their places in Night::cases.
+struct ProgramCases {
+    std::string program;
+    std::string page;  ///< Name of its file.
+    std::vector<std::size_t> cases = {};
+};
+
+/// The latest batch beside one before it, and how it came there.
+struct Night {
+    BatchFacts latest;
+    std::optional<BatchFacts> before = std::nullopt;
+    std::vector<BatchFacts> batches = {};     ///< The last ones with the latest, in the order of time.
+    std::int64_t older_batches = 0;           ///< That are left out of these.
+    std::vector<Case> cases = {};             ///< In the order of the jobs; behind them those that are gone.
+    std::vector<ProgramCases> programs = {};  ///< Of the latest batch, in the order of the jobs.
+    std::unordered_map<std::int64_t, RunFacts> runs = {};  ///< To which cases point.
+
+    explicit Night(BatchFacts of) : latest(std::move(of)) {}
+    Night(const Night&) = delete;
+    Night(Night&&) = default;
+    Night& operator=(const Night&) = delete;
+    Night& operator=(Night&&) = default;
+    ~Night() = default;
+};
+
+/// Reads it; `since` is the number of the batch before, 0: the last one before, if there is one. The error is
+/// a sentence: there is no batch, or none of that number before the latest.
+tl::expected<Night, std::string> read_night(Database& results, std::int64_t since);
+
+}  // namespace gsim::batch

@@ -1,0 +1,166 @@
+#include "batch/pages/page_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/text/printable.h"
+#include "base/text/xml_text.h"
+
+namespace gsim::batch {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::string_view kDash = "\u2013";
+
+/// "2026-11-27T03:00:12Z" as people read it.
+std::string plain_moment(std::string_view utc) {
+    if (utc.size() != 20) return std::string(utc);
+    return fmt::format("{} {} UTC", utc.substr(0, 10), utc.substr(11, 5));
+}
+
+/// One style for all pages; without other files, so that a page can be sent alone.
+constexpr std::string_view kStyle = R"(
+:root { color-scheme: light dark; --text: #1f2328; --ground: #ffffff; --soft: #f3f4f6; --line: #d0d7de; --link: #0b57d0; --bad: #b3261e; --good: #1a7f37; }
+@media (prefers-color-scheme: dark) { :root { --text: #e6e6e6; --ground: #16181c; --soft: #22262c; --line: #3a4049; --link: #8ab4f8; --bad: #ff8a80; --good: #6fcf8a; } }
+* { box-sizing: border-box; }
+body { font: 15px/1.5 system-ui, sans-serif; color: var(--text); background: var(--ground); max-width: 76rem; margin: 0 auto; padding: 1rem; }
+h1, h2, h3 { line-height: 1.25; overflow-wrap: anywhere; }
+h2 { margin-top: 2.2rem; border-bottom: 1px solid var(--line); padding-bottom: .25rem; }
+h3 { margin-top: 1.6rem; }
+a { color: var(--link); overflow-wrap: anywhere; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1rem; margin: .8rem 0; }
+dt { color: var(--text); opacity: .75; } dd { margin: 0; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; margin: .8rem 0; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; vertical-align: top; padding: .3rem .7rem .3rem 0; border-bottom: 1px solid var(--line); font-weight: normal; }
+td { min-width: 4rem; max-width: 28rem; overflow-wrap: break-word; }
+tbody th { min-width: 9rem; max-width: 22rem; overflow-wrap: break-word; }
+table a { overflow-wrap: break-word; }
+thead th { font-weight: 600; white-space: nowrap; }
+pre { background: var(--soft); padding: .6rem .8rem; overflow-x: auto; }
+code { font-size: .93em; overflow-wrap: anywhere; }
+.bad { color: var(--bad); font-weight: 600; } .good { color: var(--good); } .soft { opacity: .75; }
+svg { display: block; width: 100%; max-width: 46rem; background: var(--soft); }
+svg polyline { fill: none; stroke: var(--link); stroke-width: 1.5; } svg circle { fill: var(--link); } svg path { stroke: var(--bad); stroke-width: 2; } svg text { fill: var(--text); font-size: 11px; }
+)";
+
+}  // namespace
+
+std::string shown(std::string_view text) {
+    return text::xml_text(text::printable(text));
+}
+
+std::string link(std::string_view address, std::string_view text) {
+    return fmt::format("<a href=\"{}\">{}</a>", shown(address), shown(text));
+}
+
+std::string moment(std::string_view utc) {
+    return fmt::format("<time datetime=\"{}\">{}</time>", shown(utc), shown(plain_moment(utc)));
+}
+
+std::string seconds(double time_s) {
+    return fmt::format("{:.3f}", time_s);
+}
+
+std::string time_of(const RunFacts& run) {
+    return run.has_time() ? seconds(run.time_s) : std::string(kDash);
+}
+
+std::string difference(double before_s, double now_s) {
+    const std::string of_time = fmt::format("{:+.6g} s", now_s - before_s);
+    return before_s > 0 ? fmt::format("{} ({:+.3g} %)", of_time, 100 * (now_s - before_s) / before_s)
+                        : of_time;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string named(const BatchFacts& batch) {
+    return fmt::format("batch {} ({})", batch.id, moment(batch.began_at));
+}
+
+std::string plainly_named(const BatchFacts& batch) {
+    return fmt::format("batch {} ({})", batch.id, plain_moment(batch.began_at));
+}
+
+std::string outcome(const RunFacts& run) {
+    if (run.is_clean()) return "<span class=\"good\">without a fault</span>";
+    const std::string status = fmt::format("<span class=\"bad\">{}</span>", shown(run.status));
+    return run.cause.empty() || run.cause == run.status ? status
+                                                        : fmt::format("{}: {}", status, shown(run.cause));
+}
+
+std::string first_fault(const RunFacts& run) {
+    if (run.is_clean()) return {};
+    std::string place = shown(run.file);
+    if (!place.empty() && run.line > 0) place += fmt::format(":{}", run.line);
+    if (place.empty()) return shown(run.message);
+    return fmt::format("{} <span class=\"soft\">{}</span>", shown(run.message), place);
+}
+
+std::string machine_named(std::string_view machine) {
+    return machine.empty() ? std::string("built-in machine") : shown(machine);
+}
+
+std::string settings_in(const std::string& settings) {
+    const auto read = ordered_json::parse(settings, nullptr, false);
+    if (!read.is_object()) return shown(settings);
+    std::string text;
+    for (const auto& [key, value] : read.items()) {
+        const auto* word = value.get_ptr<const std::string*>();
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", shown(key),
+                            shown(word == nullptr ? value.dump() : *word));
+    }
+    return text;
+}
+
+std::string address_of(const Case& of, std::string_view page) {
+    return of.has_details ? fmt::format("{}#case-{}", page, of.place + 1) : std::string(page);
+}
+
+TableText::TableText(std::string_view label, const std::vector<std::string_view>& columns) {
+    text_ = fmt::format(
+        "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table aria-label=\"{0}\">"
+        "<thead><tr>",
+        shown(label));
+    for (const std::string_view column : columns)
+        text_ += fmt::format("<th scope=\"col\">{}</th>", shown(column));
+    text_ += "</tr></thead><tbody>\n";
+}
+
+void TableText::add(const std::vector<std::string>& cells) {
+    text_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        text_ += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", cells[i])
+                        : fmt::format("<td>{}</td>", cells[i]);
+    text_ += "</tr>\n";
+}
+
+std::string list_of(const std::vector<std::pair<std::string_view, std::string>>& entries) {
+    std::string text = "<dl>\n";
+    for (const auto& [name, value] : entries)
+        text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", shown(name), value);
+    return text + "</dl>\n";
+}
+
+std::string mark_of_page(std::string_view name) {
+    return fmt::format("<meta name=\"generator\" content=\"gsim-batch --pages, {}\"/>", shown(name));
+}
+
+std::string whole_page(std::string_view name, std::string_view title, std::string_view trail,
+                       std::string_view body) {
+    // Nothing is fetched and nothing runs, whatever the names of files are.
+    std::string page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}\n<meta "
+        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>"
+        "<style>{}</style></head>\n<body>",
+        mark_of_page(name), shown(title), kStyle);
+    if (!trail.empty()) page += fmt::format("<nav aria-label=\"Above\">{}</nav>\n", trail);
+    return page + fmt::format("<main><h1>{}</h1>\n{}</main></body></html>\n", shown(title), body);
+}
+
+}  // namespace gsim::batch

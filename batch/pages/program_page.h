@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batch/pages/night.h"
+#include "batch/pages/run_book.h"
+
+namespace gsim::batch {
+
+/// A case with all that its part of a page tells.
+struct CaseDetails {
+    const Case* of = nullptr;
+    WholeRun now;
+    std::vector<std::string> why_anew = {};  ///< Where it has another run than the batch before.
+};
+
+/// The page of a program: its cases in a table, and those with details one by one.
+std::string program_page(const Night& night, const ProgramCases& program,
+                         const std::vector<CaseDetails>& details);
+
+}  // namespace gsim::batch

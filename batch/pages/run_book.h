@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "batch/store/sqlite.h"
+#include "batch/work/run_row.h"
+
+namespace gsim::batch {
+
+/// What is kept of a run besides its RunFacts.
+struct WholeRun {
+    std::string program = {}, machine = {};
+    std::string program_sha256 = {}, machine_sha256 = {};
+    std::string machine_name = {}, controller = {}, version = {}, ran_at = {};
+    std::string options = {}, settings = {}, extents = {}, findings = {};  ///< JSON.
+    std::optional<double> least_s = {}, most_s = {}, energy_j = {};
+    double rapid_s = 0, feed_s = 0, dwell_s = 0;
+    double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
+    std::int64_t blocks = 0, moves = 0;
+    std::vector<ReadFile> files = {};  ///< All that it read or looked for, by name.
+};
+
+/// Reads whole runs, one by one. It goes before its database.
+class RunBook {
+  public:
+    static tl::expected<RunBook, std::string> open(Database& results);
+
+    tl::expected<WholeRun, std::string> read(std::int64_t run);
+
+  private:
+    RunBook(Statement run, Statement files) : run_(std::move(run)), files_(std::move(files)) {}
+
+    Statement run_, files_;
+};
+
+}  // namespace gsim::batch

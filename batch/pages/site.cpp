@@ -1,0 +1,88 @@
+#include "batch/pages/site.h"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/os/output_file.h"
+#include "batch/pages/page_text.h"
+
+namespace gsim::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Written = tl::expected<void, std::string>;
+
+constexpr std::size_t kHead = 1024;  // bytes, in which a page of ours says so
+
+tl::unexpected<std::string> cannot(std::string_view what, const fs::path& file,
+                                   const std::error_code& error) {
+    return tl::unexpected(fmt::format("cannot {} '{}': {}", what, file.string(), error.message()));
+}
+
+bool is_ours(const std::string& name, std::string_view content) {
+    return content.substr(0, kHead).find(mark_of_page(name)) != std::string_view::npos;
+}
+
+std::string head_of(const fs::path& file) {
+    std::string head(kHead, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    return head;
+}
+
+}  // namespace
+
+tl::expected<Site, std::string> Site::open(const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return cannot("make the folder", folder, error);
+    return Site(folder);
+}
+
+Written Site::put(const std::string& name, std::string_view page) {
+    names_.insert(name);
+    const fs::path file = folder_ / name;
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::is_regular_file(status)) {
+        std::ifstream stream(file, std::ios::binary);
+        const std::string content{std::istreambuf_iterator<char>(stream), {}};
+        if (content == page) return {};
+        if (!is_ours(name, content)) {
+            return tl::unexpected(fmt::format(
+                "'{}' is no page that was written here before; name another folder", file.string()));
+        }
+    } else if (fs::exists(status)) {
+        return cannot("write", file, std::make_error_code(std::errc::file_exists));
+    }
+    return os::write_file(file, page);
+}
+
+Written Site::remove_others() {
+    std::vector<fs::path> others;
+    std::error_code error;
+    auto entry = fs::directory_iterator(folder_, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const fs::path file = entry->path();
+        const std::string name = file.filename().string();
+        std::error_code ignored;
+        const bool may_be = file.extension() == ".html" && !names_.contains(name) &&
+                            fs::is_regular_file(entry->symlink_status(ignored));
+        if (may_be && is_ours(name, head_of(file))) others.push_back(file);
+    }
+    if (error) return cannot("read the folder", folder_, error);
+    for (const fs::path& file : others) {
+        fs::remove(file, error);
+        if (error) return cannot("remove", file, error);
+    }
+    return {};
+}
+
+}  // namespace gsim::batch
