@@ -42,6 +42,10 @@ void add_options(apps::CommandLine& line, Arguments& a) {
             "write a front page, with what has changed since the batch before and what fails, and a page for "
             "each program into this folder; pages written there before are replaced, other files stay")
         .of_file(FileKind::folder);
+    line.add(
+        "--views", &a.views,
+        "with pages: also one that shows the finished run (gsim run --view) of each of up to 200 that have "
+        "changed or fail");
     line.add("--since", &a.since,
              "with statistics and pages: against the batch of that number; 0: the one before, as pages have "
              "it "

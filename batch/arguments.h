@@ -29,6 +29,7 @@ struct Arguments {
     std::string csv, json_lines, junit, sarif;
     bool statistics = false;
     std::string statistics_json, page, pages;
+    bool views = false;
     std::optional<double> since;
     bool quiet = false;
 };

@@ -18,11 +18,13 @@
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "base/os/input_file.h"
+#include "base/os/installation.h"
 #include "base/os/output_file.h"
 #include "batch/arguments.h"
 #include "batch/optimise.h"
 #include "batch/pages/pages.h"
 #include "batch/run/batch_run.h"
+#include "batch/run/known_runs.h"
 #include "batch/slurm/cluster_batch.h"
 #include "batch/slurm/waiting.h"
 #include "batch/statistics/study.h"
@@ -135,6 +137,16 @@ Done write_statistics(const Arguments& arguments, Database& results) {
     });
 }
 
+Done write_pages_of(const Arguments& arguments, Database& results) {
+    if (arguments.pages.empty()) return {};
+    PagesOptions options{.folder = arguments.pages,
+                         .since = static_cast<std::int64_t>(arguments.since.value_or(0))};
+    if (arguments.views)
+        options.views = {.program = (os::program_folder() / "gsim").string(),
+                         .version = KnownRuns().version()};
+    return write_pages(results, options);
+}
+
 Done write_outputs(const Arguments& arguments) {
     bring_up_to_date(arguments.results);
     auto results = Database::open(arguments.results, true);
@@ -150,11 +162,7 @@ Done write_outputs(const Arguments& arguments) {
         .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
         .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
         .and_then([&] { return write_statistics(arguments, *results); })
-        .and_then([&]() -> Done {
-            if (arguments.pages.empty()) return {};
-            return write_pages(*results, arguments.pages,
-                               static_cast<std::int64_t>(arguments.since.value_or(0)));
-        })
+        .and_then([&] { return write_pages_of(arguments, *results); })
         .and_then([&]() -> Done {
             if (arguments.quiet || prints || arguments.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text); });
@@ -275,6 +283,7 @@ int run(const std::string& called, const std::vector<std::string>& words) {
     if (!parsed) return refuse(parsed.error());
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
+    if (arguments.views && arguments.pages.empty()) return refuse("--views goes with --pages");
     if (arguments.status) return told(ask_state(arguments.results));
     if (arguments.cancel) return told(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);

@@ -124,14 +124,24 @@ std::string files_text(const WholeRun& run) {
 }
 
 std::string command_text(std::string_view what, const OpenCommand& command) {
-    if (command.line.empty()) return {};
-    std::string text =
-        fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what, shown(command.line));
+    if (command.words.empty()) return {};
+    std::string text = fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what,
+                                   shown(shell_line(command.words)));
     if (command.left_out.empty()) return text;
     std::string names;
     for (const std::string& name : command.left_out) names += (names.empty() ? "" : ", ") + shown(name);
     return text +
            fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
+}
+
+std::string ways_to_see(const CaseDetails& details) {
+    std::string text = "<h3>See it run</h3>\n";
+    if (!details.view.empty()) text += fmt::format("<p>{}</p>\n", link(details.view, "The finished run"));
+    if (!details.why_no_view.empty())
+        text += fmt::format("<p class=\"soft\">There is no page of the finished run: {}.</p>\n",
+                            shown(details.why_no_view));
+    return text + command_text("In the studio, from where the batch was run:", studio_command(details.now)) +
+           command_text("As a page that can be sent:", view_command(details.now));
 }
 
 }  // namespace
@@ -149,10 +159,8 @@ std::string case_text(const Night& night, const CaseDetails& details) {
     if (const std::string settings = settings_in(of.settings); !settings.empty()) title += ", " + settings;
     return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.place + 1, title) + figures(details) +
            change_text(night, details) + kept_findings(*of.now, details.now) + "<h3>History</h3>\n" +
-           history_text(night, of) + "<h3>See it run</h3>\n" +
-           command_text("In the studio, from where the batch was run:", studio_command(details.now)) +
-           command_text("As a page that can be sent:", view_command(details.now)) +
-           "<h3>Files that it has read</h3>\n" + files_text(details.now) + "</section>\n";
+           history_text(night, of) + ways_to_see(details) + "<h3>Files that it has read</h3>\n" +
+           files_text(details.now) + "</section>\n";
 }
 
 }  // namespace gsim::batch

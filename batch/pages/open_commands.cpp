@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -57,8 +58,9 @@ std::string quoted_for_shell(std::string_view word) {
     return quoted + '\'';
 }
 
+/// Not to be taken for an option.
 std::string file_word(const std::string& file) {
-    return quoted_for_shell(file.starts_with('-') ? "./" + file : file);
+    return file.starts_with('-') ? "./" + file : file;
 }
 
 /// A machine that is no file is looked up where machines are installed.
@@ -66,38 +68,37 @@ bool is_file_name(const std::string& machine) {
     return machine.find_first_of("./") != std::string::npos;
 }
 
-/// The words of a command, as they are gathered.
-struct Words {
-    std::string text;
+/// What a command has of a run, as it is gathered.
+struct Gathered {
+    std::vector<std::string> words;
     std::vector<std::string> files;
     std::vector<std::string> left_out;
-
-    void add(std::string_view option, const json& value, bool for_studio) {
-        const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
-                                         [&](const Spelling& each) { return each.option == option; });
-        const bool is_off = option == "collisions" && value == json(false) && !for_studio;
-        if (is_off) {
-            text += " --no-collisions";
-        } else if (found == kSpellings.end() || (for_studio && !found->is_of_studio)) {
-            left_out.emplace_back(option);
-        } else if (value.is_boolean()) {
-            if (value.get<bool>()) text += option_word(found->word);
-        } else {
-            const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
-            text += option_word(found->word) + ' ' + quoted_for_shell(word);
-            if (found->is_file) files.push_back(word);
-        }
-    }
-
-  private:
-    static std::string option_word(std::string_view word) { return " " + std::string(word); }
 };
 
-Words words_of(const WholeRun& run, bool for_studio) {
-    Words words;
+void gather(Gathered& gathered, std::string_view option, const json& value, bool for_studio) {
+    const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
+                                     [&](const Spelling& each) { return each.option == option; });
+    const bool is_of_collisions = option == "collisions" && value.is_boolean();
+    if (is_of_collisions && value == json(true)) return;  // as it is without a word
+    if (is_of_collisions && !for_studio) {
+        gathered.words.emplace_back("--no-collisions");
+    } else if (found == kSpellings.end() || (for_studio && !found->is_of_studio)) {
+        gathered.left_out.emplace_back(option);
+    } else if (value.is_boolean()) {
+        if (value.get<bool>()) gathered.words.emplace_back(found->word);
+    } else {
+        const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+        gathered.words.emplace_back(found->word);
+        gathered.words.push_back(found->is_file ? file_word(word) : word);
+        if (found->is_file) gathered.files.push_back(word);
+    }
+}
+
+Gathered gathered_of(const WholeRun& run, bool for_studio) {
+    Gathered gathered;
     if (!run.machine.empty()) {
-        words.text += " --machine " + file_word(run.machine);
-        if (is_file_name(run.machine)) words.files.push_back(run.machine);
+        gathered.words.insert(gathered.words.end(), {"--machine", file_word(run.machine)});
+        if (is_file_name(run.machine)) gathered.files.push_back(run.machine);
     }
     json options = json::parse(run.options, nullptr, false);
     if (!options.is_object()) options = json::object();
@@ -106,12 +107,18 @@ Words words_of(const WholeRun& run, bool for_studio) {
         if (key.starts_with(kOptionKey)) {
             options[key.substr(kOptionKey.size())] = value;
         } else {
-            words.left_out.push_back(key);
+            gathered.left_out.push_back(key);
         }
     }
-    for (const auto& [option, value] : options.items()) words.add(option, value, for_studio);
-    words.files.push_back(run.program);
-    return words;
+    for (const auto& [option, value] : options.items()) gather(gathered, option, value, for_studio);
+    gathered.files.push_back(run.program);
+    return gathered;
+}
+
+OpenCommand command_of(std::vector<std::string> head, Gathered gathered, std::vector<std::string> tail) {
+    head.insert(head.end(), gathered.words.begin(), gathered.words.end());
+    head.insert(head.end(), tail.begin(), tail.end());
+    return {.words = std::move(head), .left_out = std::move(gathered.left_out)};
 }
 
 /// A folder that has all of the files; empty: none that their names tell.
@@ -131,17 +138,21 @@ std::string folder_of_all(const std::vector<std::string>& files) {
 }  // namespace
 
 OpenCommand studio_command(const WholeRun& run) {
-    const Words words = words_of(run, true);
-    const std::string folder = folder_of_all(words.files);
+    Gathered gathered = gathered_of(run, true);
+    const std::string folder = folder_of_all(gathered.files);
     if (folder.empty()) return {};
-    return {.line = "gsim studio" + words.text + ' ' + file_word(folder) + ' ' + file_word(run.program),
-            .left_out = words.left_out};
+    return command_of({"gsim", "studio"}, std::move(gathered), {file_word(folder), file_word(run.program)});
 }
 
 OpenCommand view_command(const WholeRun& run) {
-    const Words words = words_of(run, false);
-    return {.line = "gsim run --view run.html" + words.text + ' ' + file_word(run.program),
-            .left_out = words.left_out};
+    return command_of({"gsim", "run", "--view", std::string(kViewFile)}, gathered_of(run, false),
+                      {file_word(run.program)});
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted_for_shell(word);
+    return line;
 }
 
 }  // namespace gsim::batch

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "batch/pages/run_book.h"
 
 namespace gsim::batch {
 
-/// A command by which a person sees a run, to be typed where the batch was run.
+/// The file that view_command() writes.
+inline constexpr std::string_view kViewFile = "run.html";
+
+/// A command by which a run is seen, from where the batch was run.
 struct OpenCommand {
-    std::string line;                   ///< For a shell; empty: there is none.
+    std::vector<std::string> words;     ///< None: there is no such command.
     std::vector<std::string> left_out;  ///< Options and settings of the run that it has no words for.
 };
 
@@ -17,5 +21,8 @@ struct OpenCommand {
 OpenCommand studio_command(const WholeRun& run);
 /// A page with the finished run.
 OpenCommand view_command(const WholeRun& run);
+
+/// A command as a shell reads it.
+std::string shell_line(const std::vector<std::string>& words);
 
 }  // namespace gsim::batch

@@ -17,8 +17,9 @@ std::string shown(std::string_view text);
 
 std::string link(std::string_view address, std::string_view text);
 
-/// A moment of the database's.
+/// A moment as the database has it, as markup.
 std::string moment(std::string_view utc);
+/// A time without its unit.
 std::string seconds(double time_s);
 /// The time of a run that has one, else a dash.
 std::string time_of(const RunFacts& run);

@@ -14,6 +14,8 @@ struct CaseDetails {
     const Case* of = nullptr;
     WholeRun now;
     std::vector<std::string> why_anew = {};  ///< Where it has another run than the batch before.
+    std::string view = {};         ///< Address of the page with its finished run, where there is one,
+    std::string why_no_view = {};  ///< or why not; nothing where none was wanted.
 };
 
 /// The page of a program: its cases in a table, and those with details one by one.

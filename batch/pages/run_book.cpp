@@ -14,7 +14,8 @@ std::optional<double> number_or_none(const Statement& row, int column) {
 
 WholeRun whole_run_in(const Statement& row) {
     const auto text = [&](int column) { return std::string(row.text(column)); };
-    return {.program = text(0),
+    return {.key = text(23),
+            .program = text(0),
             .machine = text(1),
             .program_sha256 = text(2),
             .machine_sha256 = text(3),
@@ -46,7 +47,7 @@ tl::expected<RunBook, std::string> RunBook::open(Database& results) {
         "SELECT program, machine, program_sha256, machine_sha256, machine_name, controller, version, ran_at, "
         "options, settings, extents, findings, least_s, most_s, energy_j, rapid_s, feed_s, dwell_s, "
         "rapid_mm, "
-        "feed_mm, jet_on_mm, blocks, moves FROM run WHERE id = ?");
+        "feed_mm, jet_on_mm, blocks, moves, key FROM run WHERE id = ?");
     if (!run) return tl::unexpected(run.error());
     auto files = results.prepare(
         "SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ? ORDER BY "

@@ -14,6 +14,7 @@ namespace gsim::batch {
 
 /// What is kept of a run besides its RunFacts.
 struct WholeRun {
+    std::string key = {};  ///< By which it is found again.
     std::string program = {}, machine = {};
     std::string program_sha256 = {}, machine_sha256 = {};
     std::string machine_name = {}, controller = {}, version = {}, ran_at = {};

@@ -66,19 +66,26 @@ Written Site::put(const std::string& name, std::string_view page) {
 }
 
 Written Site::remove_others() {
-    std::vector<fs::path> others;
+    return remove_files(folder_, [&](const std::string& name, std::string_view head) {
+        return !names_.contains(name) && is_ours(name, head);
+    });
+}
+
+Written remove_files(const fs::path& folder,
+                     const std::function<bool(const std::string& name, std::string_view head)>& is_one) {
+    std::vector<fs::path> files;
     std::error_code error;
-    auto entry = fs::directory_iterator(folder_, error);
+    if (!fs::exists(folder, error)) return {};
+    auto entry = fs::directory_iterator(folder, error);
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const fs::path file = entry->path();
-        const std::string name = file.filename().string();
         std::error_code ignored;
-        const bool may_be = file.extension() == ".html" && !names_.contains(name) &&
-                            fs::is_regular_file(entry->symlink_status(ignored));
-        if (may_be && is_ours(name, head_of(file))) others.push_back(file);
+        const bool may_be =
+            file.extension() == ".html" && fs::is_regular_file(entry->symlink_status(ignored));
+        if (may_be && is_one(file.filename().string(), head_of(file))) files.push_back(file);
     }
-    if (error) return cannot("read the folder", folder_, error);
-    for (const fs::path& file : others) {
+    if (error) return cannot("read the folder", folder, error);
+    for (const fs::path& file : files) {
         fs::remove(file, error);
         if (error) return cannot("remove", file, error);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -27,5 +28,12 @@ class Site {
     std::filesystem::path folder_;
     std::unordered_set<std::string> names_;
 };
+
+/// Removes the pages of a folder (.html) of which `is_one` is true; it is given the name
+/// and the first bytes. Links are no such files, and a folder that is not there has none. The error is a
+/// sentence.
+tl::expected<void, std::string> remove_files(
+    const std::filesystem::path& folder,
+    const std::function<bool(const std::string& name, std::string_view head)>& is_one);
 
 }  // namespace gsim::batch

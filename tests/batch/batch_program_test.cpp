@@ -244,6 +244,22 @@ TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
     EXPECT_THAT(unwritable.err, HasSubstr("m.toml/site"));
 }
 
+TEST_F(BatchProgram, PagesHaveTheFinishedRunOfWhatFails) {
+    if (!std::filesystem::exists(std::filesystem::path(GSIM_BATCH).parent_path() /
+                                 "../share/gsim/studio/view.html"))
+        GTEST_SKIP() << "this build has no page of the studio";
+    write("m.toml", kSlide);
+    write("it's far.ngc", "G21 F600\nG1 X5000\nM2\n");
+    EXPECT_EQ(batch({"--machine", "m.toml", ".", "--pages", "site", "--views", "-q"}).status, 1);
+    const std::string view = std::filesystem::directory_iterator(folder_ / "site/views")->path().filename();
+    EXPECT_THAT(read("site/views/" + view), HasSubstr("<title>gsim studio</title>"));
+    std::string links;
+    for (const auto& page : std::filesystem::directory_iterator(folder_ / "site")) {
+        if (page.is_regular_file()) links += read("site/" + page.path().filename().string());
+    }
+    EXPECT_THAT(links, HasSubstr("<a href=\"views/" + view + "\">"));
+}
+
 // Killed in its middle, as by a power cut: what was there stays, the same command goes on.
 TEST_F(BatchProgram, GoesOnWhereItWasCutOff) {
     write("m.toml", kSlide);
@@ -292,6 +308,7 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_EQ(read("p.ngc"), "M2\n");
     EXPECT_THAT(batch({"p.ngc", "--results", "r.sqlite", "--csv", "r.sqlite"}).err, HasSubstr("r.sqlite"));
     EXPECT_THAT(batch({"p.ngc", "--results", "none/r.sqlite"}).err, HasSubstr("none"));
+    EXPECT_THAT(batch({"p.ngc", "--views"}).err, HasSubstr("--views goes with --pages"));
     EXPECT_THAT(batch({"--slurm"}).err, HasSubstr("name a plan"));
 }
 

@@ -4,10 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <set>
+#include <optional>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -119,7 +118,7 @@ class Pages : public testing::Test {
     tl::expected<void, std::string> write(std::int64_t since = 0) {
         auto results = Database::open(file_, true);
         EXPECT_TRUE(results) << results.error();
-        return write_pages(*results, site_.string(), since);
+        return write_pages(*results, {.folder = site_.string(), .since = since, .views = views_});
     }
 
     void write_and_read(std::int64_t since = 0) {
@@ -127,6 +126,7 @@ class Pages : public testing::Test {
         ASSERT_TRUE(written) << written.error();
         pages_.clear();
         for (const auto& entry : fs::directory_iterator(site_)) {
+            if (entry.is_directory()) continue;
             const auto read = pages_[entry.path().filename().string()].load_file(entry.path().c_str());
             ASSERT_TRUE(read) << entry.path() << ": " << read.description() << " at " << read.offset;
         }
@@ -137,6 +137,10 @@ class Pages : public testing::Test {
         for (const auto& [name, page] : pages_) {
             for (const auto& each : page.select_nodes("//a")) {
                 const std::string address = each.node().attribute("href").value();
+                if (address.starts_with("views/")) {
+                    EXPECT_TRUE(fs::exists(site_ / address)) << address;
+                    continue;
+                }
                 const std::size_t hash = address.find('#');
                 const std::string file = address.substr(0, hash);
                 const auto there = pages_.find(file.empty() ? name : file);
@@ -167,6 +171,7 @@ class Pages : public testing::Test {
     fs::path folder_ = fs::temp_directory_path() / ("gsim-pages-" + std::to_string(::getpid()));
     fs::path site_ = folder_ / "site";
     std::string file_ = (folder_ / "r.sqlite").string();
+    std::optional<ViewMaker> views_;
     std::map<Told, std::int64_t> runs_;
     std::map<std::string, pugi::xml_document> pages_;
 };
@@ -392,10 +397,10 @@ TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
 TEST_F(Pages, NeedAFolderAndABatch) {
     auto results = Results::open(file_);
     auto empty = Database::open(file_, true);
-    EXPECT_THAT(write_pages(*empty, site_.string(), 0).error(), HasSubstr("there is no batch"));
+    EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error(), HasSubstr("there is no batch"));
     EXPECT_FALSE(fs::exists(site_));
     batch({{.program = "a.nc"}});
-    const auto written = write_pages(*empty, file_ + "/site", 0);
+    const auto written = write_pages(*empty, {.folder = file_ + "/site"});
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error(), HasSubstr("r.sqlite/site"));
 }
@@ -434,10 +439,89 @@ TEST_F(Pages, OfManyVariantsHaveDetailsOfThoseThatFail) {
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("20 more have no more room"));
 }
 
+/// Makes pages of finished runs as gsim does, as far as files go, and counts them.
+class Views : public Pages {
+  protected:
+    Views() {
+        const std::string maker = (folder_ / "maker").string();
+        std::ofstream(maker) << "#!/bin/sh\necho \"<title>gsim studio</title> $*\" > \"$3\"\necho x >> '"
+                             << (folder_ / "made").string() << "'\nexit 1\n";
+        fs::permissions(maker, fs::perms::owner_all);
+        views_ = ViewMaker{.program = maker, .version = "v1"};
+    }
+
+    std::size_t made() const { return text_in(folder_ / "made").size() / 2; }
+    std::string view_of(const std::string& program) const {
+        return pages_.at(page_name(program))
+            .select_node("//a[.='The finished run']")
+            .node()
+            .attribute("href")
+            .value();
+    }
+    /// As it is on the disk.
+    ReadFile file(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+        return {(folder_ / name).string(), InputFiles().hash_of((folder_ / name).string())};
+    }
+};
+
+TEST_F(Views, AreOfWhatFailsOrHasChanged) {
+    const Told failing{.program = "fails.nc", .cause = "feed", .files = {file("fails.nc", "G1")}};
+    batch({failing, {.program = "good.nc"}});
+    write_and_read();
+    ASSERT_THAT(view_of("fails.nc"), testing::MatchesRegex("views/run-[0-9a-f]{16}\\.html"));
+    EXPECT_THAT(text_in(site_ / view_of("fails.nc")), HasSubstr("run --view"));
+    EXPECT_THAT(text_in(site_ / view_of("fails.nc")), HasSubstr("--machine m.toml fails.nc"));
+    EXPECT_EQ(view_of("good.nc"), "");
+    write_and_read();
+    EXPECT_EQ(made(), 1U) << "what is there is not made again";
+    batch({failing, {.program = "good.nc", .time_s = 11, .program_sha256 = "3"}});
+    write_and_read();
+    EXPECT_NE(view_of("good.nc"), "");
+    EXPECT_EQ(made(), 2U);
+}
+
+TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
+    const ReadFile changed = file("changed.nc", "G1");
+    file("changed.nc", "G0");
+    batch({{.program = "changed.nc", .cause = "feed", .files = {changed}},
+           {.program = "old.nc", .cause = "feed", .version = "v0"},
+           {.program = "edited.nc", .cause = "feed", .settings = {{"machine.axis.X.max_mm", 5, false}}},
+           {.program = "refused.nc", .cause = "syntax", .status = "refused"}});
+    write_and_read();
+    EXPECT_EQ(made(), 0U);
+    EXPECT_THAT(words_of_page("changed.nc"), HasSubstr("changed.nc' is another one by now."));
+    EXPECT_THAT(words_of_page("old.nc"), HasSubstr("it was run by another version of gsim."));
+    EXPECT_THAT(words_of_page("edited.nc"), HasSubstr("gsim run has no word for machine.axis.X.max_mm."));
+    EXPECT_THAT(words_of_page("refused.nc"), HasSubstr("the program was not run."));
+}
+
+TEST_F(Views, GoWhenTheyAreNoLongerWantedAndOtherFilesStay) {
+    batch({{.program = "a.nc", .cause = "feed"}});
+    write_and_read();
+    const fs::path view = site_ / view_of("a.nc"), other = site_ / "views/run-0123456789abcdef.html";
+    std::ofstream(other) << "mine";
+    std::ofstream(site_ / "views/kept.html") << text_in(view);
+    batch({{.program = "a.nc"}});
+    batch({{.program = "a.nc"}});
+    write_and_read();
+    EXPECT_FALSE(fs::exists(view));
+    EXPECT_TRUE(fs::exists(other));
+    EXPECT_TRUE(fs::exists(site_ / "views/kept.html"));
+}
+
+TEST_F(Views, ThatCannotBeMadeSayWhy) {
+    views_->program = (folder_ / "none").string();
+    batch({{.program = "a.nc", .cause = "feed"}});
+    write_and_read();
+    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("There is no page of the finished run: cannot run"));
+}
+
 TEST(OpenCommand, ServesAFolderThatHasAllFiles) {
     const auto line = [](const std::string& machine, const std::string& program) {
-        return studio_command({.program = program, .machine = machine, .options = "{}", .settings = "{}"})
-            .line;
+        return shell_line(
+            studio_command({.program = program, .machine = machine, .options = "{}", .settings = "{}"})
+                .words);
     };
     EXPECT_EQ(line("m.toml", "programs/a.nc"), "gsim studio --machine m.toml . programs/a.nc");
     EXPECT_EQ(line("af5-measured", "/data/p/a.nc"),
@@ -457,12 +541,12 @@ TEST(OpenCommand, SaysWhatItHasNoWordFor) {
         .options = R"({"block_delete":true,"cell":"c.toml","collisions":false,"variables":"v"})",
         .settings = R"({"machine.axis.X.max_mm":5,"option.feed_override_percent":80})"};
     const OpenCommand view = view_command(run);
-    EXPECT_EQ(view.line,
+    EXPECT_EQ(shell_line(view.words),
               "gsim run --view run.html --machine m.toml --block-delete --cell c.toml --no-collisions "
               "--feed-override 80 a.nc");
     EXPECT_THAT(view.left_out, ElementsAre("machine.axis.X.max_mm", "variables"));
     const OpenCommand studio = studio_command(run);
-    EXPECT_EQ(studio.line, "gsim studio --machine m.toml --cell c.toml . a.nc");
+    EXPECT_EQ(shell_line(studio.words), "gsim studio --machine m.toml --cell c.toml . a.nc");
     EXPECT_THAT(studio.left_out, ElementsAre("machine.axis.X.max_mm", "block_delete", "collisions",
                                              "feed_override_percent", "variables"));
 }

@@ -1,0 +1,98 @@
+#include "batch/pages/views.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/os/child_process.h"
+#include "base/os/file_handle.h"
+#include "batch/pages/open_commands.h"
+#include "batch/pages/site.h"
+#include "batch/work/sha256.h"
+
+namespace gsim::batch {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Fault = tl::unexpected<std::string>;
+
+constexpr const char* kFolder = "views";
+constexpr std::string_view kTitle = "<title>gsim studio</title>";
+constexpr std::string_view kBegin = "run-", kEnd = ".html";
+constexpr std::size_t kDigits = 16;
+constexpr std::int64_t kMostMoves = 200'000;  // a page of so many has some 10 MB
+
+/// By all that makes the run what it is: what has this name is never another run.
+std::string name_of_view(const WholeRun& run) {
+    std::string all = run.key;
+    for (const ReadFile& file : run.files) all += '\0' + file.name + '\0' + file.sha256;
+    return fmt::format("{}{}{}", kBegin, sha256(all).substr(0, kDigits), kEnd);
+}
+
+bool is_name_of_view(std::string_view name) {
+    if (name.size() != kBegin.size() + kDigits + kEnd.size() || !name.starts_with(kBegin) ||
+        !name.ends_with(kEnd))
+        return false;
+    const std::string_view digits = name.substr(kBegin.size(), kDigits);
+    return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+/// A program that was refused, or that took its process with it, has nothing to show.
+bool has_run(const RunFacts& facts) {
+    return facts.has_time() || facts.status == "alarm" || facts.status == "stopped";
+}
+
+}  // namespace
+
+Views::Views(const std::string& folder, ViewMaker maker)
+    : folder_(fs::path(folder) / kFolder), maker_(std::move(maker)) {}
+
+tl::expected<std::vector<std::string>, std::string> Views::command_for(const RunFacts& facts,
+                                                                       const WholeRun& run) {
+    if (!has_run(facts)) return Fault("the program was not run");
+    if (run.moves > kMostMoves) return Fault(fmt::format("it has more than {} moves", kMostMoves));
+    if (run.version != maker_.version) return Fault("it was run by another version of gsim");
+    OpenCommand command = view_command(run);
+    if (!command.left_out.empty())
+        return Fault(fmt::format("gsim run has no word for {}", command.left_out.front()));
+    const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {
+        return files_.hash_of(file.name) != file.sha256;
+    });
+    if (other != run.files.end()) return Fault(fmt::format("'{}' is another one by now", other->name));
+    command.words.front() = maker_.program;
+    return std::move(command.words);
+}
+
+tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const WholeRun& run) {
+    const std::string name = name_of_view(run);
+    const fs::path file = folder_ / name;
+    const auto made = [&] {
+        names_.insert(name);
+        return fmt::format("{}/{}", kFolder, name);
+    };
+    std::error_code error;
+    if (fs::exists(file, error)) return made();
+    auto words = command_for(facts, run);
+    if (!words) return Fault(words.error());
+    fs::create_directories(folder_, error);
+    *std::find(words->begin(), words->end(), kViewFile) = file.string();
+    const os::FileHandle nothing(std::fopen("/dev/null", "r+e"));
+    if (!nothing) return Fault("/dev/null cannot be opened");
+    const auto ended = os::run_child(*words, nothing.get(), nothing.get());
+    // Where the program has a fault its page is written all the same.
+    if (fs::exists(file, error)) return made();
+    return Fault(ended ? "gsim run has written none" : ended.error());
+}
+
+tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept) {
+    return remove_files(fs::path(folder) / kFolder, [&](const std::string& name, std::string_view head) {
+        return is_name_of_view(name) && head.find(kTitle) != std::string_view::npos &&
+               (kept == nullptr || !kept->names_.contains(name));
+    });
+}
+
+}  // namespace gsim::batch
