@@ -118,20 +118,18 @@ class PagesWriter {
 }  // namespace
 
 Done write_pages(Database& results, const PagesOptions& options) {
-    // All that is read is of one moment, also where a batch goes on meanwhile.
+    // Of one moment, also where a batch goes on meanwhile. Behind that runs do not change, and nobody who
+    // writes is to wait for pages.
     if (auto begun = results.execute("BEGIN"); !begun) return begun;
-    const auto write = [&]() -> Done {
-        const auto night = read_night(results, options.since);
-        if (!night) return Fault(night.error());
-        auto book = RunBook::open(results);
-        if (!book) return Fault(book.error());
-        auto site = Site::open(options.folder);
-        if (!site) return Fault(site.error());
-        return PagesWriter(*night, *book, *site, options).write();
-    };
-    Done written = write();
+    const auto night = read_night(results, options.since);
     const auto ended = results.execute("COMMIT");
-    return written ? ended : written;
+    if (!night) return Fault(night.error());
+    if (!ended) return ended;
+    auto book = RunBook::open(results);
+    if (!book) return Fault(book.error());
+    auto site = Site::open(options.folder);
+    if (!site) return Fault(site.error());
+    return PagesWriter(*night, *book, *site, options).write();
 }
 
 }  // namespace gsim::batch

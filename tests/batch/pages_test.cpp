@@ -328,6 +328,7 @@ TEST_F(Pages, TakeNamesOfAnyKind) {
                                          "index.html",
                                          "-rf.nc"};
     std::vector<Told> runs;
+    runs.reserve(names.size());
     for (const std::string& name : names)
         runs.push_back({.program = name, .cause = "<i>\"", .machine = name, .text = "<b>" + name});
     batch(runs);
@@ -403,6 +404,17 @@ TEST_F(Pages, NeedAFolderAndABatch) {
     const auto written = write_pages(*empty, {.folder = file_ + "/site"});
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error(), HasSubstr("r.sqlite/site"));
+}
+
+// In a file of results as machines share it who writes waits for whoever has not ended to read.
+TEST_F(Pages, LeaveNothingOpenBehindThem) {
+    batch({{.program = "a.nc"}});
+    ASSERT_TRUE(Results::open(file_, Journal::rollback));
+    auto reader = Database::open(file_, true);
+    ASSERT_TRUE(write_pages(*reader, {.folder = site_.string()}));
+    auto results = Results::open(file_, Journal::rollback);
+    ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
+    EXPECT_TRUE(results->end_batch(false));
 }
 
 TEST_F(Pages, OfManyRunsAreInParts) {
