@@ -44,6 +44,7 @@ struct OptimiseArguments {
     std::optional<double> memory_mb;
     double timeout_s = 600;
     bool retry = false;
+    bool overwrite = false;
     bool slurm = false;
     std::string partition;
     std::uint64_t shard_runs = 10, task_workers = 1, time_limit_min = 0;
@@ -61,6 +62,7 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
         .shows_default();
     line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
         .called("FOLDER");
+    line.add("--overwrite", &a.overwrite, "files of --best may replace files that are there already");
     line.add("--json", &a.json, "write what was found as JSON; -: standard output")
         .of_file(FileKind::output, {".json"});
     line.add("--page", &a.page, "write it as one HTML page with a picture of all trials; -: standard output")
@@ -184,12 +186,24 @@ Done write_found(const OptimiseArguments& a, const SearchPlan& search, const Sea
     });
 }
 
+/// Nobody is to wait for hours to be told that.
+std::string fault_of_folder(const OptimiseArguments& a, const Plan& plan) {
+    if (a.best.empty() || a.overwrite) return {};
+    const std::vector<std::string> files = files_in_the_way(plan, a.best);
+    return files.empty()
+               ? std::string()
+               : fmt::format("'{}' is there already; take another folder for --best, or --overwrite",
+                             files.front());
+}
+
 int run_search(const OptimiseArguments& a) {
     const auto search = search_of(a);
     if (!search) return refuse_search(search.error());
     if (!a.slurm) {
         if (const std::string why = why_not_here(a.results); !why.empty()) return refuse_search(why);
     }
+    if (const std::string fault = fault_of_folder(a, search->plan); !fault.empty())
+        return refuse_search(fault);
     stop_on_signals();
     const Evaluate evaluate = [&](const Plan& plan) {
         return a.slurm ? evaluate_on_cluster(a, plan) : evaluate_here(a, plan);

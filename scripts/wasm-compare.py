@@ -29,6 +29,7 @@ TOLERANCE = 1e-12  # of a figure, and of 1 (mm, degrees) near 0
 
 # Samples that no run of gsim reads.
 LEFT_OUT_SAMPLES = {
+    "batch/wheel-placement.toml": "is a plan of gsim-optimise",
     "batch/wheel-study.toml": "is a plan of gsim-batch",
     "engine/plot_wheel.py": "loads libgsim into Python",
     "engine/run.c": "is compiled and linked with libgsim",

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/pages/history_text.h"
-#include "batch/pages/open_commands.h"
 #include "batch/pages/page_text.h"
 
 namespace gsim::batch {
@@ -140,8 +139,10 @@ std::string ways_to_see(const CaseDetails& details) {
     if (!details.why_no_view.empty())
         text += fmt::format("<p class=\"soft\">There is no page of the finished run: {}.</p>\n",
                             shown(details.why_no_view));
-    return text + command_text("In the studio, from where the batch was run:", studio_command(details.now)) +
-           command_text("As a page that can be sent:", view_command(details.now));
+    return text +
+           command_text("In the studio, from where the batch was run:",
+                        studio_command(told_of(details.now))) +
+           command_text("As a page that can be sent:", view_command(told_of(details.now)));
 }
 
 }  // namespace

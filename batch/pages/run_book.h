@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "batch/store/sqlite.h"
+#include "batch/work/run_commands.h"
 #include "batch/work/run_row.h"
 
 namespace gsim::batch {
@@ -25,6 +26,10 @@ struct WholeRun {
     std::int64_t blocks = 0, moves = 0;
     std::vector<ReadFile> files = {};  ///< All that it read or looked for, by name.
 };
+
+inline RunTold told_of(const WholeRun& run) {
+    return {run.program, run.machine, run.options, run.settings};
+}
 
 /// Reads whole runs, one by one. It goes before its database.
 class RunBook {

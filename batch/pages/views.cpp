@@ -9,8 +9,8 @@
 
 #include "base/os/child_process.h"
 #include "base/os/file_handle.h"
-#include "batch/pages/open_commands.h"
 #include "batch/pages/site.h"
+#include "batch/work/run_commands.h"
 #include "batch/work/sha256.h"
 
 namespace gsim::batch {
@@ -56,7 +56,7 @@ tl::expected<std::vector<std::string>, std::string> Views::command_for(const Run
     if (!has_run(facts)) return Fault("the program was not run");
     if (run.moves > kMostMoves) return Fault(fmt::format("it has more than {} moves", kMostMoves));
     if (run.version != maker_.version) return Fault("it was run by another version of gsim");
-    OpenCommand command = view_command(run);
+    OpenCommand command = view_command(told_of(run));
     if (!command.left_out.empty())
         return Fault(fmt::format("gsim run has no word for {}", command.left_out.front()));
     const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {

@@ -1,6 +1,5 @@
 #include "batch/search/best_files.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <system_error>
@@ -20,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using Fault = tl::unexpected<std::string>;
 using nlohmann::json;
+
+constexpr const char *kProgram = ".nc", *kMachine = ".machine.toml", *kCell = ".cell.toml",
+                     *kRobots = ".robots.toml", *kData = ".data.txt";
+constexpr std::array kEndings{kProgram, kMachine, kCell, kRobots, kData};
 
 /// The places of all texts in a document that name files beside `folder`.
 void find_names(const json& value, const fs::path& folder, const base::TomlPath& path,
@@ -64,13 +67,12 @@ class VariantWriter {
             job.options[setting.key] = setting.value;
         job.settings.clear();
         for (const char* of_paths : {"post", "path_frame", "rotary_as_given"}) job.options.erase(of_paths);
-        if (texts.program) put(job.program, ".nc", *texts.program);
-        put_file(job.machine, texts.machine, ".machine.toml", texts);
+        if (texts.program) put(job.program, kProgram, *texts.program);
+        put_file(job.machine, texts.machine, kMachine, texts);
         json& options = job.options;
         for (const auto& [option, name, ending] :
-             {std::tuple{"cell", &texts.cell, ".cell.toml"},
-              std::tuple{"robots", &texts.robots, ".robots.toml"},
-              std::tuple{"machine_data", &texts.machine_data, ".data.txt"}}) {
+             {std::tuple{"cell", &texts.cell, kCell}, std::tuple{"robots", &texts.robots, kRobots},
+              std::tuple{"machine_data", &texts.machine_data, kData}}) {
             std::string file = options.value(option, std::string());
             put_file(file, *name, ending, texts);
             if (!file.empty()) options[option] = file;
@@ -110,32 +112,6 @@ std::string stem_of(const Job& job, std::uint64_t count) {
     return count > 1 ? fmt::format("{}-{}", stem, job.number + 1) : stem;
 }
 
-std::string quoted_word(const std::string& word) {
-    const bool plain = word.find_first_not_of(
-                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                           "._-/=+,:@%") == std::string::npos;
-    if (plain && !word.empty()) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
-std::string option_of(std::string name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kOtherWords{
-        {{"feed_override_percent", "feed-override"},
-         {"rapid_override_percent", "rapid-override"},
-         {"spindle_override_percent", "spindle-override"},
-         {"max_time_s", "max-time"},
-         {"max_cpu_s", "max-cpu-seconds"},
-         {"library", "lua-lib"},
-         {"module", "rcs"}}};
-    for (const auto& [ours, theirs] : kOtherWords) {
-        if (name == ours) name = theirs;
-    }
-    std::replace(name.begin(), name.end(), '_', '-');
-    return "--" + name;
-}
-
 }  // namespace
 
 tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
@@ -161,23 +137,21 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
     return written;
 }
 
-std::string command_of(const Job& job) {
-    std::string text = "gsim run " + quoted_word(job.program);
-    if (!job.machine.empty()) text += " --machine " + quoted_word(job.machine);
-    for (const auto& [name, value] : job.options.items()) {
-        const std::string option = option_of(name);
-        if (name == "collisions") {
-            text += value.get<bool>() ? "" : " --no-collisions";
-        } else if (name == "lower_bound" || name == "joint_speeds") {
-            text += name == "lower_bound" && value.get<bool>() ? " --explain" : "";
-        } else if (value.is_boolean()) {
-            text += value.get<bool>() ? " " + option : "";
-        } else {
-            text +=
-                " " + option + " " + quoted_word(value.is_string() ? value.get<std::string>() : value.dump());
+std::vector<std::string> files_in_the_way(const Plan& plan, const std::string& folder) {
+    Plan one = plan;
+    one.settings.clear();
+    one.design = {.sampling = Sampling::listed, .listed = {{}}};
+    const Jobs jobs(one);
+    std::vector<std::string> found;
+    for (std::uint64_t i = 0; i < jobs.size(); ++i) {
+        const std::string stem = stem_of(jobs.job(i), jobs.size());
+        for (const char* ending : kEndings) {
+            const fs::path file = fs::path(folder) / (stem + ending);
+            std::error_code ignored;
+            if (fs::exists(fs::symlink_status(file, ignored))) found.push_back(file.string());
         }
     }
-    return text;
+    return found;
 }
 
 }  // namespace gsim::batch

@@ -18,7 +18,7 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
                                                           const std::vector<SettingValue>& settings,
                                                           const std::string& folder);
 
-/// How gsim is called for such a job, for people.
-std::string command_of(const Job& job);
+/// Which of the files that write_variant() may write are there already.
+std::vector<std::string> files_in_the_way(const Plan& plan, const std::string& folder);
 
 }  // namespace gsim::batch

@@ -10,6 +10,7 @@
 
 #include "base/text/xml_text.h"
 #include "batch/search/figures.h"
+#include "batch/work/run_commands.h"
 
 namespace gsim::batch {
 
@@ -38,6 +39,13 @@ std::string row(std::string_view title, std::optional<double> start, std::option
     return fmt::format("  {:<36}{:>14}{:>14}\n", title, shown(start), shown(best));
 }
 
+/// "+ " and "x " as in settings_json().
+std::string value_text(const SettingValue& setting) {
+    if (!setting.value.is_number()) return setting.value.dump();
+    const char* use = setting.use == SettingUse::factor ? "x " : setting.use == SettingUse::shift ? "+ " : "";
+    return fmt::format("{}{:.6g}", use, setting.value.get<double>());
+}
+
 bool shows(std::string_view figure) {
     return figure != "most_s" && figure != "lower_bound_s" && figure != "blocks" && figure != "warnings";
 }
@@ -61,6 +69,10 @@ std::string gain_text(const SearchState& state) {
                        100 * gain / std::max(std::abs(state.start.score.value), 1e-300));
 }
 
+std::string command_line(const Job& job) {
+    return shell_line(run_command(told_of(job)).words);
+}
+
 std::string proof_text(const std::optional<Proof>& proof) {
     if (!proof) return {};
     std::string text = "proven by runs of their own";
@@ -70,7 +82,7 @@ std::string proof_text(const std::optional<Proof>& proof) {
     if (proof->start.lower_bound_s)
         text += fmt::format(" (the start's: {:.6g} s)", *proof->start.lower_bound_s);
     text += '\n';
-    for (const Job& job : proof->files) text += "  " + command_of(job) + '\n';
+    for (const Job& job : proof->files) text += "  " + command_line(job) + '\n';
     return text;
 }
 
@@ -115,13 +127,16 @@ tl::expected<std::vector<Dot>, std::string> dots_of(Database& results, std::int6
 
 /// Trials over their number, those that are allowed filled; the line is the best one so far.
 std::string picture(const std::vector<Dot>& dots) {
-    double least = INFINITY, most = -INFINITY;
+    std::vector<double> values;
     for (const Dot& dot : dots) {
-        if (!dot.allowed) continue;
-        least = std::min(least, dot.value);
-        most = std::max(most, dot.value);
+        if (dot.allowed) values.push_back(dot.value);
     }
-    if (!(least <= most)) return "<p>No trial is without a fault.</p>";
+    if (values.empty()) return "<p>No trial is without a fault.</p>";
+    std::sort(values.begin(), values.end());
+    // What is far worse is drawn at the upper edge: what is looked at is how the best ones come together.
+    const double least = values.front();
+    const double most =
+        std::max(values[values.size() * 9 / 10], dots.front().allowed ? dots.front().value : least);
     const double span = std::max(most - least, 1e-12);
     const double count = std::max(dots.back().number, 1.0);
     const auto x = [&](double number) { return kLeft_px + number / count * (kWidth_px - kLeft_px - 10); };
@@ -171,10 +186,7 @@ std::string to_text(const SearchPlan& search, const SearchState& state, const st
             text += row(figure, start, best);
     }
     for (const SettingValue& setting : state.best.settings)
-        text += fmt::format("  {:<50}{:>14}\n", setting.key,
-                            settings_json({setting}).front().is_string()
-                                ? settings_json({setting}).front().get<std::string>()
-                                : settings_json({setting}).front().dump());
+        text += fmt::format("  {:<50}{:>14}\n", setting.key, value_text(setting));
     if (!state.whole) text += fmt::format("cut off; {} variants were to be tried\n", search.variants + 1);
     return text + gain_text(state) + proof_text(proof);
 }
@@ -186,7 +198,7 @@ std::string to_json(const SearchPlan& search, const SearchState& state, const st
                       {"start", json_of(state.start)}, {"best", json_of(state.best)}};
     if (proof) {
         text["proof"] = {{"start", bound_json(proof->start)}, {"best", bound_json(proof->best)}};
-        for (const Job& job : proof->files) text["proof"]["commands"].push_back(command_of(job));
+        for (const Job& job : proof->files) text["proof"]["commands"].push_back(command_line(job));
     }
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }

@@ -13,7 +13,6 @@
 #include <pugixml.hpp>
 #include <unistd.h>
 
-#include "batch/pages/open_commands.h"
 #include "batch/pages/page_name.h"
 #include "batch/store/results.h"
 
@@ -440,7 +439,7 @@ TEST_F(Pages, OfManyVariantsHaveDetailsOfThoseThatFail) {
     for (int i = 0; i < 60; ++i)
         runs.push_back({.program = "a.nc",
                         .cause = i == 59 ? "feed" : "",
-                        .settings = {{"option.feed_override_percent", i + 1, false}}});
+                        .settings = {{"option.feed_override_percent", i + 1}}});
     batch(runs);
     write_and_read();
     const pugi::xml_document& page = pages_.at(page_name("a.nc"));
@@ -498,7 +497,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
     file("changed.nc", "G0");
     batch({{.program = "changed.nc", .cause = "feed", .files = {changed}},
            {.program = "old.nc", .cause = "feed", .version = "v0"},
-           {.program = "edited.nc", .cause = "feed", .settings = {{"machine.axis.X.max_mm", 5, false}}},
+           {.program = "edited.nc", .cause = "feed", .settings = {{"machine.axis.X.max_mm", 5}}},
            {.program = "refused.nc", .cause = "syntax", .status = "refused"}});
     write_and_read();
     EXPECT_EQ(made(), 0U);
@@ -527,40 +526,6 @@ TEST_F(Views, ThatCannotBeMadeSayWhy) {
     batch({{.program = "a.nc", .cause = "feed"}});
     write_and_read();
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("There is no page of the finished run: cannot run"));
-}
-
-TEST(OpenCommand, ServesAFolderThatHasAllFiles) {
-    const auto line = [](const std::string& machine, const std::string& program) {
-        return shell_line(
-            studio_command({.program = program, .machine = machine, .options = "{}", .settings = "{}"})
-                .words);
-    };
-    EXPECT_EQ(line("m.toml", "programs/a.nc"), "gsim studio --machine m.toml . programs/a.nc");
-    EXPECT_EQ(line("af5-measured", "/data/p/a.nc"),
-              "gsim studio --machine af5-measured /data/p /data/p/a.nc");
-    EXPECT_EQ(line("/data/machines/m.toml", "/data/p/a.nc"),
-              "gsim studio --machine /data/machines/m.toml /data /data/p/a.nc");
-    EXPECT_EQ(line("/data/m.toml", "a.nc"), "") << "no folder is known to have both";
-    EXPECT_EQ(line("m.toml", "../a.nc"), "");
-    EXPECT_EQ(line("", "it's here/-a $x.nc"), R"(gsim studio . 'it'\''s here/-a $x.nc')");
-    EXPECT_EQ(line("", "-a.nc"), "gsim studio . ./-a.nc");
-}
-
-TEST(OpenCommand, SaysWhatItHasNoWordFor) {
-    const WholeRun run{
-        .program = "a.nc",
-        .machine = "m.toml",
-        .options = R"({"block_delete":true,"cell":"c.toml","collisions":false,"variables":"v"})",
-        .settings = R"({"machine.axis.X.max_mm":5,"option.feed_override_percent":80})"};
-    const OpenCommand view = view_command(run);
-    EXPECT_EQ(shell_line(view.words),
-              "gsim run --view run.html --machine m.toml --block-delete --cell c.toml --no-collisions "
-              "--feed-override 80 a.nc");
-    EXPECT_THAT(view.left_out, ElementsAre("machine.axis.X.max_mm", "variables"));
-    const OpenCommand studio = studio_command(run);
-    EXPECT_EQ(shell_line(studio.words), "gsim studio --machine m.toml --cell c.toml . a.nc");
-    EXPECT_THAT(studio.left_out, ElementsAre("machine.axis.X.max_mm", "block_delete", "collisions",
-                                             "feed_override_percent", "variables"));
 }
 
 }  // namespace

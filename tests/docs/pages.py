@@ -14,7 +14,7 @@ import subprocess
 import textwrap
 from dataclasses import dataclass, field
 
-PROGRAMS = ("gsim", "gsim-run", "gsim-check", "gcode2lua", "autopath", "path2gcode", "gsim-data", "gsim-batch")
+PROGRAMS = ("gsim", "gsim-run", "gsim-check", "gcode2lua", "autopath", "path2gcode", "gsim-data", "gsim-batch", "gsim-optimise")
 TOOLS = ("apt-get", "awk", "cat", "cd", "cmake", "cp", "ctest", "diff", "docker", "echo", "git", "grep", "head", "jq",
          "make", "man", "mkdir", "python3", "sed", "sort", "sudo", "tail")
 FOLDERS = ("./", "bench/", "build/", "scripts/")

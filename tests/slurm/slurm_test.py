@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""gsim-batch on a real Slurm of this machine: the same rows as without it, whatever is killed on the way.
+"""gsim-batch and gsim-optimise on a real Slurm of this machine: the same rows as without it, whatever is killed on the way.
 Usage: slurm_test.py GSIM-BATCH. In the environment: SLURM_NEEDED=1 (no Slurm here is a failure, else a skip: status 77)."""
 
+import json
 import os
 import shutil
 import signal
@@ -17,6 +18,7 @@ HERE = Path(__file__).resolve().parent
 CLUSTER = HERE / "cluster.sh"
 SKIPPED = 77
 GSIM_BATCH = str(Path(sys.argv[1]).resolve())
+GSIM_OPTIMISE = str(Path(GSIM_BATCH).with_name("gsim-optimise"))
 
 MACHINE = """[machine]
 name = "slide"
@@ -93,6 +95,11 @@ class OnSlurm(unittest.TestCase):
     @classmethod
     def batch(cls, *words):
         done = subprocess.run([GSIM_BATCH, *words], cwd=cls.work, env=cls.environment(), capture_output=True, text=True, timeout=300)
+        return done.returncode, done.stdout + done.stderr
+
+    @classmethod
+    def optimise(cls, *words):
+        done = subprocess.run([GSIM_OPTIMISE, *words], cwd=cls.work, env=cls.environment(), capture_output=True, text=True, timeout=300)
         return done.returncode, done.stdout + done.stderr
 
     def slurm(self, *words):
@@ -192,6 +199,23 @@ class OnSlurm(unittest.TestCase):
             self.submit("d.sqlite")
             self.over("d.sqlite")
         self.check("d.sqlite")
+
+    def test_a_search_tries_what_it_tries_by_itself_whatever_is_killed(self):
+        (self.work / "search.toml").write_text(
+            'programs = ["loop.ngc", "line.ngc"]\nmachines = ["m.toml"]\n[objective]\ncycle_time_s = 1\n[search]\n'
+            'variants = 60\nfirst = 20\npopulation = 20\n[[setting]]\nkey = "option.feed_override_percent"\nfrom = 50\nto = 150\n')
+        status, said = self.optimise("search.toml", "--results", "alone.sqlite", "-q")
+        self.assertEqual(status, 0, said)
+        words = [GSIM_OPTIMISE, "search.toml", "--slurm", "--results", "f.sqlite", "--shard-runs", "10", "-q", "--json", "f.json"]
+        with subprocess.Popen(words, cwd=self.work, env=self.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as search:
+            self.until(lambda: self.task_processes("f.sqlite"))
+            os.kill(next(iter(self.task_processes("f.sqlite").values())), signal.SIGKILL)
+            said, _ = search.communicate(timeout=240)
+        self.assertEqual(search.returncode, 0, said)
+        trials = "SELECT group_concat(number || ' ' || generation || ' ' || value || ' ' || violation, '; ') FROM search_run"
+        self.assertEqual(number(self.work / "f.sqlite", trials), number(self.work / "alone.sqlite", trials))
+        self.assertEqual(number(self.work / "f.sqlite", "SELECT count(*) - count(DISTINCT key) FROM run"), 0, "a run is there twice")
+        self.assertLess(json.loads((self.work / "f.json").read_text())["best"]["value"], 560)
 
     def test_a_batch_that_is_cancelled_keeps_what_it_has(self):
         self.submit("e.sqlite")

@@ -1,4 +1,4 @@
-#include "batch/pages/open_commands.h"
+#include "batch/work/run_commands.h"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "batch/work/edits.h"
+#include "batch/work/path_job.h"
+
 namespace gsim::batch {
 
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr std::string_view kOptionKey = "option.";
 
 /// An option of a run as gsim-run spells it.
 struct Spelling {
@@ -47,6 +48,7 @@ constexpr std::array kSpellings{
     Spelling{"max_cpu_s", "--max-cpu-seconds"},
     Spelling{"max_blocks", "--max-blocks"},
     Spelling{"max_steps", "--max-steps"},
+    Spelling{"lower_bound", "--explain"},
 };
 
 std::string quoted_for_shell(std::string_view word) {
@@ -78,6 +80,7 @@ struct Gathered {
 void gather(Gathered& gathered, std::string_view option, const json& value, bool for_studio) {
     const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
                                      [&](const Spelling& each) { return each.option == option; });
+    if (option == "joint_speeds") return;  // which changes no run
     const bool is_of_collisions = option == "collisions" && value.is_boolean();
     if (is_of_collisions && value == json(true)) return;  // as it is without a word
     if (is_of_collisions && !for_studio) {
@@ -94,18 +97,19 @@ void gather(Gathered& gathered, std::string_view option, const json& value, bool
     }
 }
 
-Gathered gathered_of(const WholeRun& run, bool for_studio) {
+Gathered gathered_of(const RunTold& run, bool for_studio) {
     Gathered gathered;
     if (!run.machine.empty()) {
         gathered.words.insert(gathered.words.end(), {"--machine", file_word(run.machine)});
         if (is_file_name(run.machine)) gathered.files.push_back(run.machine);
     }
+    if (is_path(run.program)) gathered.left_out.emplace_back("a path as its program");
     json options = json::parse(run.options, nullptr, false);
     if (!options.is_object()) options = json::object();
     const json settings = json::parse(run.settings, nullptr, false);
     for (const auto& [key, value] : settings.items()) {
-        if (key.starts_with(kOptionKey)) {
-            options[key.substr(kOptionKey.size())] = value;
+        if (key.starts_with(kOfRun)) {
+            options[key.substr(kOfRun.size())] = value;
         } else {
             gathered.left_out.push_back(key);
         }
@@ -137,16 +141,24 @@ std::string folder_of_all(const std::vector<std::string>& files) {
 
 }  // namespace
 
-OpenCommand studio_command(const WholeRun& run) {
+OpenCommand studio_command(const RunTold& run) {
     Gathered gathered = gathered_of(run, true);
     const std::string folder = folder_of_all(gathered.files);
     if (folder.empty()) return {};
     return command_of({"gsim", "studio"}, std::move(gathered), {file_word(folder), file_word(run.program)});
 }
 
-OpenCommand view_command(const WholeRun& run) {
+OpenCommand view_command(const RunTold& run) {
     return command_of({"gsim", "run", "--view", std::string(kViewFile)}, gathered_of(run, false),
                       {file_word(run.program)});
+}
+
+OpenCommand run_command(const RunTold& run) {
+    return command_of({"gsim", "run"}, gathered_of(run, false), {file_word(run.program)});
+}
+
+RunTold told_of(const Job& job) {
+    return {job.program, job.machine, job.options.dump(), settings_json(job.settings).dump()};
 }
 
 std::string shell_line(const std::vector<std::string>& words) {

@@ -1,0 +1,249 @@
+// gsim-optimise as people run it: against what is known in closed form or by trying all, cut off, and the
+// wheel on its gantry.
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "base/os/spawn.h"
+#include "batch/store/sqlite.h"
+#include "tests/apps/run_program.h"
+
+namespace gsim::batch::optimise_program_test {
+namespace {
+
+using apps::Ended;
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* kSamples = GSIM_SOURCE "/samples";
+
+class OptimiseProgram : public apps::Apps {
+  protected:
+    Ended optimise(const std::vector<std::string>& words) const {
+        return apps::run_program(GSIM_OPTIMISE, words, folder_);
+    }
+    Ended batch(const std::vector<std::string>& words) const {
+        return apps::run_program(GSIM_BATCH, words, folder_);
+    }
+    json found(const std::string& file = "found.json") const { return json::parse(read(file)); }
+
+    double number(const std::string& query, const std::string& file = "gsim-optimise.sqlite") const {
+        auto results = Database::open((folder_ / file).string(), true);
+        EXPECT_TRUE(results) << results.error();
+        auto asked = results->prepare(query);
+        EXPECT_TRUE(asked) << asked.error();
+        EXPECT_TRUE(asked->step().value_or(false)) << query;
+        return asked->number(0);
+    }
+
+    void write_slide() const {
+        write("m.toml", R"([machine]
+name = "slide"
+[program]
+dialect = "rs274ngc"
+[[axis]]
+letter = "X"
+kind = "linear"
+max_mm = 1000.0
+max_speed_mm_s = 100.0
+max_acceleration_mm_s2 = 1000.0
+direction = "x"
+)");
+        write("p.ngc", "G21 G90 G94 F600\nG1 X20\nM2\n");
+    }
+};
+
+/// From rest to rest over 20 mm at a share of 10 mm/s.
+double slide_s(double percent) {
+    const double feed_mm_s = percent / 10;
+    return 20 / feed_mm_s + feed_mm_s / 1000;
+}
+
+constexpr const char* kOverride = R"(programs = "p.ngc"
+machines = ["m.toml"]
+[objective]
+cycle_time_s = 1
+[search]
+variants = 60
+[[setting]]
+key = "option.feed_override_percent"
+from = 50
+to = 150
+)";
+
+TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
+    write_slide();
+    write("plan.toml", kOverride);
+    const Ended ended = optimise({"plan.toml", "--json", "found.json", "--page", "found.html"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NEAR(found()["start"]["value"], slide_s(100), 1e-9);
+    EXPECT_NEAR(found()["best"]["value"], slide_s(150), 1e-3);
+    EXPECT_NEAR(found()["proof"]["best"]["value"], found()["best"]["value"], 1e-12);
+    EXPECT_LE(found()["proof"]["best"]["lower_bound_s"].get<double>(),
+              found()["best"]["value"].get<double>());
+    EXPECT_THAT(ended.out, HasSubstr("option.feed_override_percent"));
+    EXPECT_THAT(read("found.html"), HasSubstr("<polyline"));
+    EXPECT_EQ(number("SELECT count(DISTINCT number) FROM evaluations"), 61);
+    EXPECT_EQ(number("SELECT count(*) FROM report"), 2) << "of the start and the best one";
+    // No faster than at 120 %.
+    write("limit.toml", std::string(kOverride) +
+                            fmt::format("[[limit]]\nfigure = \"cycle_time_s\"\nleast = {}\n", slide_s(120)));
+    ASSERT_EQ(optimise({"limit.toml", "--json", "found.json"}).status, 0);
+    EXPECT_NEAR(found()["best"]["value"], slide_s(120), 2e-3);
+    EXPECT_GE(found()["best"]["value"].get<double>(), slide_s(120));
+}
+
+// More of a figure may be better: the greatest time is at the slow end.
+TEST_F(OptimiseProgram, AWeightBelowZeroLooksForMore) {
+    write_slide();
+    std::string plan = kOverride;
+    write("plan.toml", plan.replace(plan.find("_s = 1"), 6, "_s = -1"));
+    ASSERT_EQ(optimise({"plan.toml", "--json", "found.json"}).status, 0);
+    EXPECT_NEAR(found()["best"]["value"], -slide_s(50), 0.05);
+}
+
+TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
+    write_slide();
+    write("plan.toml", kOverride);
+    const std::vector<std::string> words{"plan.toml", "--variants", "600", "-q"};
+    ASSERT_EQ(optimise({"plan.toml", "--variants", "600", "-q", "--results", "whole.sqlite"}).status, 0);
+    os::SpawnActions actions;
+    actions.redirect(2, 1);
+    const auto child = os::spawn({"/bin/sh", "-c",
+                                  fmt::format("cd '{}' && exec {} plan.toml --variants 600 -q > cut.txt",
+                                              folder_.string(), GSIM_OPTIMISE)},
+                                 actions);
+    ASSERT_TRUE(child);
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    ::kill(*child, SIGTERM);
+    os::wait_for(*child);
+    ASSERT_EQ(optimise(words).status, 0);
+    const char* all = "SELECT group_concat(value) FROM (SELECT value FROM evaluations ORDER BY number)";
+    const auto text = [&](const std::string& file) {
+        auto results = Database::open((folder_ / file).string(), true);
+        auto asked = results->prepare(all);
+        EXPECT_TRUE(asked->step().value_or(false));
+        return std::string(asked->text(0));
+    };
+    EXPECT_EQ(text("gsim-optimise.sqlite"), text("whole.sqlite")) << "the same trials with the same figures";
+    EXPECT_EQ(number("SELECT count(*) FROM run"), number("SELECT count(*) FROM run", "whole.sqlite"))
+        << "nothing was run twice";
+}
+
+/// Slots on a line, in no good order, each with a feed and a rapid of its own.
+std::string slots() {
+    json root = json::array(), paths = json::array();
+    for (const int x : {300, 100, 400, 200, 50}) {
+        const std::string name = fmt::format("slot{}", x);
+        root.push_back({{"path", name}});
+        paths.push_back({{"name", name},
+                         {"targets",
+                          {{{"motion", "rapid"}, {"position_mm", {x, 100, -5}}},
+                           {{"position_mm", {x, 120, -5}}, {"feed_mm_min", 1200}},
+                           {{"motion", "rapid"}, {"position_mm", {x, 120, -1}}}}}});
+    }
+    paths.push_back({{"name", "all"}, {"targets", root}});
+    return json{{"name", "slots"}, {"root", "all"}, {"paths", paths}}.dump();
+}
+
+TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
+    write("slots.path.json", slots());
+    const std::string head =
+        "programs = \"slots.path.json\"\nmachines = [\"router3\"]\n"
+        "[options]\npost = \"rs274ngc\"\ndialect = \"rs274ngc\"\n";
+    std::string orders;
+    std::vector<int> order{0, 1, 2, 3, 4};
+    do {
+        orders += (orders.empty() ? "" : ", ") + json(order).dump();
+    } while (std::next_permutation(order.begin(), order.end()));
+    write("all.toml", head + "[[setting]]\nkey = \"path.order\"\nvalues = [" + orders + "]\n");
+    const Ended all = batch({"all.toml", "--results", "all.sqlite"});
+    ASSERT_EQ(all.status, 0) << all.err << all.out;
+    ASSERT_EQ(number("SELECT count(*) FROM latest", "all.sqlite"), 120);
+    write("plan.toml", head +
+                           "[objective]\ncycle_time_s = 1\n[search]\nvariants = 120\n"
+                           "[[setting]]\nkey = \"path.order\"\norders = 5\n");
+    const Ended ended = optimise({"plan.toml", "--json", "found.json", "--best", "best"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(found()["best"]["value"].get<double>(),
+              number("SELECT min(cycle_time_s) FROM latest", "all.sqlite"));
+    EXPECT_LT(found()["best"]["value"].get<double>(), found()["start"]["value"].get<double>());
+    // What is written does it by itself.
+    const Ended again = apps::run_program(
+        GSIM_RUN, {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_NEAR(json::parse(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+}
+
+// On the thesis's gantry: the plate with its clamps and the program are put where the rotary axes' limits
+// cost least, and nothing comes nearer than the cell asks for.
+TEST_F(OptimiseProgram, PlacesTheWheel) {
+    const Ended ended = optimise({std::string(kSamples) + "/batch/wheel-placement.toml", "--variants", "60",
+                                  "--json", "found.json", "--best", "best"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const double start_s = found()["start"]["value"], best_s = found()["best"]["value"];
+    EXPECT_NEAR(start_s, 88.331, 0.001);
+    EXPECT_LT(best_s, 0.96 * start_s);
+    EXPECT_GE(best_s, found()["proof"]["best"]["lower_bound_s"].get<double>());
+    const json figures = found()["best"]["runs"][0];
+    EXPECT_GE(figures["clearance_mm"].get<double>(), 0.25);
+    // By the program that everybody has, from the files that were written.
+    const Ended again = apps::run_program(
+        GSIM_RUN, {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"},
+        folder_);
+    ASSERT_EQ(again.status, 0) << again.err;
+    const json report = json::parse(again.out);
+    EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
+    EXPECT_TRUE(report["collisions"].empty());
+    EXPECT_TRUE(report["clearances"].empty());
+    EXPECT_NEAR(report["length"]["jet_on_mm"], 3183.626, 0.01) << "what is cut is the same";
+}
+
+TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
+    write_slide();
+    write("plan.toml", std::string(kOverride) + "[[limit]]\nfigure = \"cycle_time_s\"\nmost = 0.1\n");
+    const Ended ended = optimise({"plan.toml", "--variants", "10"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_THAT(ended.out, HasSubstr("no variant is without a fault"));
+    write("p.ngc", "G21 F600\nG1 X[\n");
+    EXPECT_THAT(optimise({"plan.toml", "--variants", "10"}).out, HasSubstr("p.ngc: "));
+}
+
+TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
+    write_slide();
+    write("plan.toml", kOverride);
+    EXPECT_THAT(optimise({}).err, HasSubstr("name a plan"));
+    EXPECT_EQ(optimise({"none.toml"}).status, 2);
+    EXPECT_EQ(optimise({"plan.toml", "--variants", "0"}).status, 2);
+    EXPECT_THAT(optimise({"plan.toml", "--results", "plan.toml"}).err, HasSubstr("plan.toml"));
+    EXPECT_EQ(read("plan.toml"), kOverride);
+    EXPECT_THAT(optimise({"plan.toml", "--best", "m.toml", "--variants", "5"}).err, HasSubstr("m.toml"));
+    // What somebody else has there stays.
+    write("slots.path.json", slots());
+    write("slots.nc", "mine\n");
+    write(
+        "order.toml",
+        "programs = \"slots.path.json\"\nmachines = [\"router3\"]\n[options]\npost = \"rs274ngc\"\ndialect = "
+        "\"rs274ngc\"\n[objective]\ncycle_time_s = 1\n[[setting]]\nkey = \"path.order\"\norders = 5\n");
+    EXPECT_THAT(optimise({"order.toml", "--best", ".", "--variants", "5"}).err,
+                HasSubstr("'./slots.nc' is there already"));
+    EXPECT_EQ(read("slots.nc"), "mine\n");
+    EXPECT_EQ(optimise({"order.toml", "--best", ".", "--variants", "5", "--overwrite"}).status, 0);
+    EXPECT_THAT(read("slots.nc"), HasSubstr("M2"));
+    std::string energy = kOverride;
+    write("energy.toml", energy.replace(energy.find("cycle_time_s"), 12, "energy_j"));
+    EXPECT_THAT(optimise({"energy.toml"}).err, HasSubstr("have no 'energy_j'"));
+    write("bare.toml", "programs = \"p.ngc\"\n");
+    EXPECT_THAT(optimise({"bare.toml"}).err, HasSubstr("[objective]"));
+    EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("no list of values"))
+        << "the plan of a search is none of a grid";
+}
+
+}  // namespace
+}  // namespace gsim::batch::optimise_program_test
