@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/completion.h"
+#include "apps/own_completion.h"
 
 namespace gsim::apps {
 
@@ -102,6 +103,11 @@ std::string front_function(const CommandLine& front, std::span<const CompletedPr
 }
 
 }  // namespace
+
+std::string own_bash_completion(const CommandLine& line) {
+    return fmt::format("# Completion of {0} for bash; made by `{0} completion bash`.\n\n{1}{2}",
+                       line.program(), kHelpers, program_function(line));
+}
 
 std::string bash_completion(const CommandLine& front, std::span<const CompletedProgram> programs) {
     std::string text = "# Completion of gsim and its programs for bash; made by `gsim completion bash`.\n\n";

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/completion.h"
+#include "apps/own_completion.h"
 
 namespace gsim::apps {
 
@@ -45,6 +46,11 @@ std::string option_lines(const std::string& who, const CommandLine& line) {
 }
 
 }  // namespace
+
+std::string own_fish_completion(const CommandLine& line) {
+    return fmt::format("# Completion of {0} for fish; made by `{0} completion fish`.\n\n{1}", line.program(),
+                       option_lines("-c " + line.program(), line));
+}
 
 std::string fish_completion(const CommandLine& front, std::span<const CompletedProgram> programs) {
     std::string text = "# Completion of gsim and its programs for fish; made by `gsim completion fish`.\n\n";

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/completion.h"
+#include "apps/own_completion.h"
 
 namespace gsim::apps {
 
@@ -47,12 +48,10 @@ std::string specifications(const CommandLine& line) {
     return text;
 }
 
-std::string program_case(const CompletedProgram& program) {
-    const CommandLine& line = *program.line;
-    std::string text = fmt::format(
-        "    {}|{})\n        _arguments -s '--help[print help and end]' '--version[print the version and "
-        "end]'{}",
-        program.command, line.program(), specifications(line));
+std::string arguments_of(const CommandLine& line) {
+    std::string text =
+        fmt::format("_arguments -s '--help[print help and end]' '--version[print the version and end]'{}",
+                    specifications(line));
     if (!line.commands().empty()) {
         text += " \\\n        ':command:(";
         for (const CommandLine& command : line.commands()) text += command.program() + " ";
@@ -64,10 +63,20 @@ std::string program_case(const CompletedProgram& program) {
             }
         }
     }
-    return text + "\n        ;;\n";
+    return text + '\n';
+}
+
+std::string program_case(const CompletedProgram& program) {
+    return fmt::format("    {}|{})\n        {}        ;;\n", program.command, program.line->program(),
+                       arguments_of(*program.line));
 }
 
 }  // namespace
+
+std::string own_zsh_completion(const CommandLine& line) {
+    return fmt::format("#compdef {0}\n# Completion of {0} for zsh; made by `{0} completion zsh`.\n\n{1}",
+                       line.program(), arguments_of(line));
+}
 
 std::string zsh_completion(const CommandLine& front, std::span<const CompletedProgram> programs) {
     std::string text = "#compdef gsim";

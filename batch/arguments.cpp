@@ -23,6 +23,7 @@ void add_options(apps::CommandLine& line, Arguments& a) {
         .called("FILE")
         .shows_default();
     line.add("--reports", &a.reports, "keep the whole report of each run, too");
+    line.add("--pictures", &a.pictures, "keep a picture (SVG) of each run, too; it needs gnuplot");
     line.add("--csv", &a.csv, "write the runs of this batch as CSV; -: standard output")
         .of_file(FileKind::output, {".csv"});
     line.add("--json-lines", &a.json_lines, "the same as JSON, an object a line")

@@ -17,7 +17,7 @@ struct Arguments {
     std::vector<std::string> machines;
     std::string machine_data, cell, dialect;
     bool no_collisions = false;
-    bool reports = false;
+    bool reports = false, pictures = false;
     std::string results = "gsim-batch.sqlite";
     std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
     std::optional<double> memory_mb;

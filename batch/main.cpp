@@ -13,8 +13,8 @@
 
 #include "apps/exit_status.h"
 #include "apps/help_text.h"
-#include "apps/man_page.h"
 #include "apps/named_files.h"
+#include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "base/os/input_file.h"
@@ -32,6 +32,7 @@
 #include "batch/store/outputs.h"
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
+#include "engine/system/picture.h"
 
 namespace gsim::batch {
 
@@ -40,7 +41,6 @@ namespace {
 using Done = tl::expected<void, std::string>;
 
 constexpr const char* kName = "gsim-batch";
-constexpr const char* kManualWord = "manual";
 
 bool is_plan(const Arguments& arguments) {
     return arguments.inputs.size() == 1 && arguments.inputs.front().ends_with(".toml");
@@ -73,7 +73,13 @@ tl::expected<Plan, std::string> plan_of_file(const Arguments& arguments) {
 
 tl::expected<Plan, std::string> plan_of(const Arguments& arguments) {
     auto plan = is_plan(arguments) ? plan_of_file(arguments) : plan_of_words(arguments);
-    if (plan) plan->keeps_reports = plan->keeps_reports || arguments.reports;
+    if (!plan) return plan;
+    plan->keeps.report = plan->keeps.report || arguments.reports;
+    plan->keeps.picture = plan->keeps.picture || arguments.pictures;
+    // Else each run would be made in vain.
+    if (plan->keeps.picture) {
+        if (const auto found = engine::find_gnuplot(); !found) return tl::unexpected(found.error());
+    }
     return plan;
 }
 
@@ -200,6 +206,9 @@ int run_plan(const Arguments& arguments) {
     if (!arguments.quiet)
         fmt::print(stderr, "{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
                    tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed);
+    if (tally->undrawn > 0)
+        fmt::print(stderr, "{}: {} pictures could not be drawn: {}\n", kName, tally->undrawn,
+                   tally->why_undrawn);
     if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
     if (!tally->whole) {
         fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kName);
@@ -275,10 +284,8 @@ int run(const std::string& called, const std::vector<std::string>& words) {
         kName,
         "Runs many programs on many machines in many variants, and keeps what comes of it in one file");
     add_options(line, arguments);
-    if (words.size() == 1 && words.front() == kManualWord) {
-        apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-run", "gsim-check"}));
-        return apps::kDone;
-    }
+    const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check", kOptimise};
+    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
     if (!parsed) return refuse(parsed.error());
     if (*parsed) return **parsed;

@@ -13,8 +13,8 @@
 
 #include "apps/command_line.h"
 #include "apps/exit_status.h"
-#include "apps/man_page.h"
 #include "apps/named_files.h"
+#include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "base/os/input_file.h"
@@ -238,10 +238,8 @@ int optimise(const std::vector<std::string>& words) {
         "Looks for the values of settings for which programs are fastest, or best in another "
         "way, without a fault");
     add_search_options(line, arguments);
-    if (words.size() == 1 && words.front() == "manual") {
-        apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-batch", "gsim-run"}));
-        return apps::kDone;
-    }
+    const std::vector<std::string> others{"gsim", "gsim-batch", "gsim-run"};
+    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
     if (!parsed) return refuse_search(parsed.error());
     if (*parsed) return **parsed;

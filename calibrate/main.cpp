@@ -9,8 +9,8 @@
 
 #include "apps/exit_status.h"
 #include "apps/help_text.h"
-#include "apps/man_page.h"
 #include "apps/named_files.h"
+#include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "calibrate/geometry_command.h"
@@ -22,11 +22,6 @@ namespace gsim::calibrate {
 namespace {
 
 constexpr const char* kName = "gsim-calibrate";
-
-Done print_manual(const apps::CommandLine& line) {
-    apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-run", "gsim-check"}));
-    return {};
-}
 
 int refuse(const std::string& why) {
     fmt::print(stderr, "{0}: {1}\n{0}: {0} --help tells what there is\n", kName, why);
@@ -41,8 +36,8 @@ int run(const std::vector<std::string>& words) {
     add_times(line, chosen);
     add_geometry(line, chosen);
     add_servo(line, chosen);
-    add_command(line, chosen, "manual", "print the man page, for man -l -",
-                [&] { return print_manual(line); });
+    const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check"};
+    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
     if (words.empty()) {
         apps::print(apps::help_text(line, &line));
         return apps::kUsage;

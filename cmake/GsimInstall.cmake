@@ -67,27 +67,34 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 # All that is installed; what is added to it below are the targets that install themselves.
 add_custom_target(product)
 
-# gsim_own_page(NAME COMPONENT): the man page of a program that is no part of gsim, as it prints it (`NAME manual`).
+# gsim_own_page(NAME COMPONENT [LINKS]): man page and completions of a program that is no part of gsim, as it prints them (`NAME manual`,
+# `NAME completion SHELL`). LINKS: what else has to be there to call it by its name.
 function(gsim_own_page name component)
-    set(page ${CMAKE_BINARY_DIR}/man/${name}.1)
-    add_custom_command(OUTPUT ${page} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man COMMAND ${name} manual > ${page}
-                       DEPENDS ${name} COMMENT "Writing ${name}.1" VERBATIM)
-    add_custom_target(${name}-page ALL DEPENDS ${page})
+    set(man ${CMAKE_BINARY_DIR}/man)
+    set(completions ${CMAKE_BINARY_DIR}/completions)
+    set(call ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})
+    set(made ${man}/${name}.1 ${completions}/${name}.bash ${completions}/${name}.zsh ${completions}/${name}.fish)
+    add_custom_command(OUTPUT ${made} COMMAND ${CMAKE_COMMAND} -E make_directory ${man} ${completions} COMMAND ${call} manual > ${man}/${name}.1
+                       COMMAND ${call} completion bash > ${completions}/${name}.bash COMMAND ${call} completion zsh > ${completions}/${name}.zsh
+                       COMMAND ${call} completion fish > ${completions}/${name}.fish
+                       DEPENDS ${call} ${ARGN} COMMENT "Writing man page and completions of ${name}" VERBATIM)
+    add_custom_target(${name}-page ALL DEPENDS ${made})
     add_dependencies(product ${name}-page)
-    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+    install(FILES ${man}/${name}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+    install(FILES ${completions}/${name}.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${name} COMPONENT ${component})
+    install(FILES ${completions}/${name}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT ${component})
+    install(FILES ${completions}/${name}.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _${name} COMPONENT ${component})
 endfunction()
 
-# gsim_own_name(NAME PROGRAM COMPONENT): another name of such a program, under which it is another one, with a page of its own.
+# gsim_own_name(NAME PROGRAM COMPONENT): another name of such a program, under which it is another one, with pages of its own.
 function(gsim_own_name name program component)
     set(link ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})
-    set(page ${CMAKE_BINARY_DIR}/man/${name}.1)
     add_custom_command(OUTPUT ${link} COMMAND ${CMAKE_COMMAND} -E create_symlink ${program} ${link} DEPENDS ${program} COMMENT "Linking ${name}" VERBATIM)
-    add_custom_command(OUTPUT ${page} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man COMMAND ${link} manual > ${page}
-                       DEPENDS ${link} ${program} COMMENT "Writing ${name}.1" VERBATIM)
-    add_custom_target(${name} ALL DEPENDS ${link} ${page})
+    add_custom_target(${name} ALL DEPENDS ${link})
     add_dependencies(product ${name})
+    gsim_own_page(${name} ${component} ${program})
+    add_dependencies(${name}-page ${name})
     install(FILES ${link} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
-    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
 endfunction()
 
 # gsim_pages(NAMES...): man pages and completions of gsim and of the programs it is called by, as the program prints them.

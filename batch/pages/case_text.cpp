@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/base64.h"
 #include "batch/pages/history_text.h"
 #include "batch/pages/page_text.h"
 
@@ -133,6 +134,17 @@ std::string command_text(std::string_view what, const OpenCommand& command) {
            fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
 }
 
+/// As a picture of its own, in which names and styles are its own, too.
+std::string picture_text(const WholeRun& run) {
+    if (run.picture_svg.empty()) return {};
+    std::string bytes;
+    text::Base64 base64;
+    base64.add(run.picture_svg, bytes);
+    base64.end(bytes);
+    return fmt::format(
+        "<p><img alt=\"Path, speed and acceleration\" src=\"data:image/svg+xml;base64,{}\"/></p>\n", bytes);
+}
+
 std::string ways_to_see(const CaseDetails& details) {
     std::string text = "<h3>See it run</h3>\n";
     if (!details.view.empty()) text += fmt::format("<p>{}</p>\n", link(details.view, "The finished run"));
@@ -159,9 +171,9 @@ std::string case_text(const Night& night, const CaseDetails& details) {
     std::string title = machine_named(of.machine);
     if (const std::string settings = settings_in(of.settings); !settings.empty()) title += ", " + settings;
     return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.place + 1, title) + figures(details) +
-           change_text(night, details) + kept_findings(*of.now, details.now) + "<h3>History</h3>\n" +
-           history_text(night, of) + ways_to_see(details) + "<h3>Files that it has read</h3>\n" +
-           files_text(details.now) + "</section>\n";
+           picture_text(details.now) + change_text(night, details) + kept_findings(*of.now, details.now) +
+           "<h3>History</h3>\n" + history_text(night, of) + ways_to_see(details) +
+           "<h3>Files that it has read</h3>\n" + files_text(details.now) + "</section>\n";
 }
 
 }  // namespace gsim::batch

@@ -42,6 +42,7 @@ thead th { font-weight: 600; white-space: nowrap; }
 pre { background: var(--soft); padding: .6rem .8rem; overflow-x: auto; }
 code { font-size: .93em; overflow-wrap: anywhere; }
 .bad { color: var(--bad); font-weight: 600; } .good { color: var(--good); } .soft { opacity: .75; }
+img { max-width: 100%; background: #ffffff; }
 svg { display: block; width: 100%; max-width: 46rem; background: var(--soft); }
 svg polyline { fill: none; stroke: var(--link); stroke-width: 1.5; } svg circle { fill: var(--link); } svg path { stroke: var(--bad); stroke-width: 2; } svg text { fill: var(--text); font-size: 11px; }
 )";
@@ -155,7 +156,8 @@ std::string whole_page(std::string_view name, std::string_view title, std::strin
     // Nothing is fetched and nothing runs, whatever the names of files are.
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}\n<meta "
-        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>"
+        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+        "img-src data:\"/>"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>"
         "<style>{}</style></head>\n<body>",
         mark_of_page(name), shown(title), kStyle);

@@ -53,7 +53,9 @@ tl::expected<RunBook, std::string> RunBook::open(Database& results) {
         "SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ? ORDER BY "
         "file");
     if (!files) return tl::unexpected(files.error());
-    return RunBook(*std::move(run), *std::move(files));
+    auto picture = results.prepare("SELECT svg FROM picture WHERE run = ?");
+    if (!picture) return tl::unexpected(picture.error());
+    return RunBook(*std::move(run), *std::move(files), *std::move(picture));
 }
 
 tl::expected<WholeRun, std::string> RunBook::read(std::int64_t run) {
@@ -63,6 +65,11 @@ tl::expected<WholeRun, std::string> RunBook::read(std::int64_t run) {
     if (!*row) return tl::unexpected(fmt::format("run {} is not in it", run));
     WholeRun whole = whole_run_in(run_);
     if (const auto done = run_.run(); !done) return tl::unexpected(done.error());
+    picture_.bind(1, run);
+    const auto picture = picture_.step();
+    if (!picture) return tl::unexpected(picture.error());
+    if (*picture) whole.picture_svg = picture_.text(0);
+    if (const auto done = picture_.run(); !done) return tl::unexpected(done.error());
     files_.bind(1, run);
     while (true) {
         const auto file = files_.step();

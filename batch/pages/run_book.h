@@ -24,6 +24,7 @@ struct WholeRun {
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
     std::int64_t blocks = 0, moves = 0;
+    std::string picture_svg = {};      ///< Where it was kept.
     std::vector<ReadFile> files = {};  ///< All that it read or looked for, by name.
 };
 
@@ -39,9 +40,10 @@ class RunBook {
     tl::expected<WholeRun, std::string> read(std::int64_t run);
 
   private:
-    RunBook(Statement run, Statement files) : run_(std::move(run)), files_(std::move(files)) {}
+    RunBook(Statement run, Statement files, Statement picture)
+        : run_(std::move(run)), files_(std::move(files)), picture_(std::move(picture)) {}
 
-    Statement run_, files_;
+    Statement run_, files_, picture_;
 };
 
 }  // namespace gsim::batch

@@ -124,7 +124,7 @@ Job Jobs::job(std::uint64_t number) const {
             .machine = plan_.machines[rest % plan_.machines.size()],
             .options = plan_.options,
             .settings = design_.variant(variant),
-            .keeps_report = plan_.keeps_reports};
+            .keeps = plan_.keeps};
 }
 
 }  // namespace gsim::batch

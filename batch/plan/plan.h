@@ -23,7 +23,7 @@ struct Plan {
     nlohmann::json options = nlohmann::json::object();  ///< Of all runs (run_options()).
     std::vector<Setting> settings;
     DesignOptions design;
-    bool keeps_reports = false;
+    Kept keeps;
 };
 
 /// The jobs of a plan, made where they are needed: there may be millions.

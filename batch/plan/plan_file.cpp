@@ -18,9 +18,9 @@ using base::TomlSection;
 using nlohmann::json;
 
 // The last three are of a search (read_search()), which the same plan may have.
-constexpr std::array<std::string_view, 10> kPlanKeys{"programs", "machines", "controllers", "reports",
-                                                     "options",  "sampling", "setting",     "objective",
-                                                     "limit",    "search"};
+constexpr std::array<std::string_view, 11> kPlanKeys{"programs",  "machines", "controllers", "reports",
+                                                     "pictures",  "options",  "sampling",    "setting",
+                                                     "objective", "limit",    "search"};
 constexpr std::array<std::string_view, 3> kSamplingKeys{"kind", "runs", "seed"};
 constexpr std::array<std::string_view, 4> kSamplings{"grid", "random", "latin-hypercube", "sobol"};
 constexpr std::uint64_t kMostRuns = 100'000'000;
@@ -46,7 +46,8 @@ class PlanReader {
         TomlSection section(error_, table_, "the plan", kPlanKeys);
         read_programs(section);
         read_machines(section);
-        plan_.keeps_reports = section.flag("reports", false);
+        plan_.keeps.report = section.flag("reports", false);
+        plan_.keeps.picture = section.flag("pictures", false);
         if (const toml::table* options = section.table("options")) read_options(*options);
         if (section.has("setting")) {
             const FileOf file_of = [this](const std::string& name) { return this->file_of(name); };

@@ -66,7 +66,8 @@ std::string print_plan_json(const Plan& plan) {
                 {"sampling", plan.design.sampling},
                 {"runs", plan.design.runs},
                 {"seed", plan.design.seed},
-                {"reports", plan.keeps_reports}}
+                {"reports", plan.keeps.report},
+                {"pictures", plan.keeps.picture}}
         .dump(1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -84,7 +85,8 @@ tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
         read.at("sampling").get_to(plan.design.sampling);
         read.at("runs").get_to(plan.design.runs);
         read.at("seed").get_to(plan.design.seed);
-        read.at("reports").get_to(plan.keeps_reports);
+        read.at("reports").get_to(plan.keeps.report);
+        read.at("pictures").get_to(plan.keeps.picture);
         return plan;
     } catch (const json::exception& error) {
         return tl::unexpected(fmt::format("no plan: {}", error.what()));

@@ -120,6 +120,7 @@ class BatchRun {
         waiting_.erase(waiting);
         if (!run) return Fault(run.error());
         ++tally_.ran;
+        if (!row.picture_fault.empty() && tally_.undrawn++ == 0) tally_.why_undrawn = row.picture_fault;
         for (const std::uint64_t other : others) {
             ++tally_.reused;
             if (auto noted = note(other, *run, row.is_clean(), true); !noted) return noted;

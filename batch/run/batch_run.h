@@ -30,8 +30,10 @@ struct BatchTally {
     std::int64_t batch = 0;  ///< Its number in the results.
     std::uint64_t jobs = 0;
     std::uint64_t ran = 0;
-    std::uint64_t reused = 0;  ///< They were there already.
-    std::uint64_t failed = 0;  ///< Of both.
+    std::uint64_t reused = 0;      ///< They were there already.
+    std::uint64_t failed = 0;      ///< Of both.
+    std::uint64_t undrawn = 0;     ///< Pictures that were wanted, and could not be drawn.
+    std::string why_undrawn = {};  ///< Of the first of these, in a sentence.
     double wall_s = 0;
     bool whole = false;  ///< Else it was cut off.
 

@@ -55,7 +55,7 @@ tl::expected<std::optional<Results::FoundRun>, std::string> KnownRuns::find(Resu
                                                                             const RunKey& key, const Job& job,
                                                                             bool retry) {
     const auto hash_of = [this](const std::string& name) { return files_.hash_of(name); };
-    return results.find(key.key, hash_of, job.keeps_report, retry);
+    return results.find(key.key, hash_of, job.keeps, retry);
 }
 
 std::string KnownRuns::hash_of_machine(const std::string& name) {

@@ -46,7 +46,7 @@ class Prover {
   private:
     static Plan with_more(Plan plan) {
         plan.options["lower_bound"] = true;
-        plan.keeps_reports = true;
+        plan.keeps.report = true;
         return plan;
     }
 

@@ -40,7 +40,7 @@ tl::expected<std::int64_t, std::string> ask(Database& database, const char* quer
 
 /// What version 2 has more.
 std::string second_version() {
-    std::string sql = kSearches;
+    std::string sql = kTablesOf2;
     for (const char* figure : kFiguresOf2)
         sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", figure);
     return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
@@ -96,7 +96,7 @@ void bring_up_to_date(const std::string& file) {
 }
 
 struct Results::Statements {
-    Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, note;
+    Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, picture, note;
 };
 
 Results::Results(Database database, std::unique_ptr<Statements> statements)
@@ -128,9 +128,10 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
         prepared(
             "INSERT INTO batch (token, plan, version, began_at, jobs) VALUES (?, ?, ?, ?, ?) RETURNING id"),
         prepared("UPDATE batch SET ended_at = ?, whole = ? WHERE id = ?"),
-        prepared("SELECT run.id, status, report.run IS NOT NULL, cause, message FROM run LEFT JOIN report ON "
-                 "report.run = run.id "
-                 "WHERE key = ? ORDER BY run.id DESC"),
+        prepared("SELECT run.id, status, report.run IS NOT NULL, cause, message, picture.run IS NOT NULL "
+                 "FROM run LEFT "
+                 "JOIN report ON report.run = run.id LEFT JOIN picture ON picture.run = run.id WHERE key = ? "
+                 "ORDER BY run.id DESC"),
         prepared("SELECT file, sha256 FROM run_input JOIN input ON input.id = run_input.input WHERE run = ?"),
         prepared(
             "INSERT INTO run (key, program, program_sha256, machine, machine_sha256, machine_name, "
@@ -147,6 +148,7 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
             "file RETURNING id"),
         prepared("INSERT OR IGNORE INTO run_input (run, input) VALUES (?, ?)"),
         prepared("INSERT INTO report (run, json) VALUES (?, ?)"),
+        prepared("INSERT INTO picture (run, svg) VALUES (?, ?)"),
         prepared("INSERT OR REPLACE INTO batch_run (batch, job, run, reused) VALUES (?, ?, ?, ?)")});
     return Results(*std::move(database), std::move(statements));
 }
@@ -200,8 +202,8 @@ tl::expected<bool, std::string> Results::is_current(std::int64_t run, const Hash
 }
 
 tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const std::string& key,
-                                                                          const HashOf& hash_of,
-                                                                          bool with_report, bool retry) {
+                                                                          const HashOf& hash_of, Kept wanted,
+                                                                          bool retry) {
     std::vector<FoundRun> candidates, lost_ones;
     Statement& find = statements_->find;
     find.bind(1, key);
@@ -212,7 +214,9 @@ tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const 
         const bool lost = may_go_better(find.text(1), find.text(4));
         // What has ended without a report will not have one.
         if (retry && lost) continue;
-        if (!with_report || lost || find.text(1) == "refused" || find.whole(2) != 0)
+        const bool has_all =
+            (!wanted.report || find.whole(2) != 0) && (!wanted.picture || find.whole(5) != 0);
+        if (has_all || lost || find.text(1) == "refused")
             (lost ? lost_ones : candidates)
                 .push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
     }
@@ -267,6 +271,10 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
     if (!row.report.empty()) {
         statements_->report.bind(1, *run).bind(2, row.report);
         if (const auto done = statements_->report.run(); !done) return Fault(done.error());
+    }
+    if (!row.picture.empty()) {
+        statements_->picture.bind(1, *run).bind(2, row.picture);
+        if (const auto done = statements_->picture.run(); !done) return Fault(done.error());
     }
     return run;
 }

@@ -60,10 +60,10 @@ class Results {
         std::int64_t run = 0;
         bool is_clean = true;
     };
-    /// A run by its key that is still true: all files that it has read are as they were, it has a report
-    /// where one is wanted, and it did not end by a failure that another try may not have (`retry`).
+    /// A run by its key that is still true: all files that it has read are as they were, it has what is
+    /// wanted where one is wanted, and it did not end by a failure that another try may not have (`retry`).
     tl::expected<std::optional<FoundRun>, std::string> find(const std::string& key, const HashOf& hash_of,
-                                                            bool with_report, bool retry);
+                                                            Kept wanted, bool retry);
     /// A new run; its number.
     tl::expected<std::int64_t, std::string> add(const Job& job, const RunKey& key, const RunRow& row,
                                                 const std::string& version);

@@ -9,8 +9,9 @@ inline constexpr int kSchemaVersion = 2;
 /// "gsim" as PRAGMA application_id.
 inline constexpr int kApplication = 0x6773696d;
 
-/// What version 2 has more, beside the columns of kFiguresOf2: searches, and what came of each run for them.
-inline constexpr const char* kSearches = R"(
+/// What version 2 has more, beside the columns of kFiguresOf2: pictures, searches, and what came of each run
+/// for them.
+inline constexpr const char* kTablesOf2 = R"(
 CREATE TABLE search (
   id INTEGER PRIMARY KEY, plan TEXT NOT NULL, objective TEXT NOT NULL, seed INTEGER NOT NULL, began_at TEXT NOT NULL, ended_at TEXT,
   best INTEGER
@@ -19,6 +20,7 @@ CREATE TABLE search_run (
   search INTEGER NOT NULL REFERENCES search, number INTEGER NOT NULL, run INTEGER NOT NULL REFERENCES run,
   generation INTEGER NOT NULL, value REAL, violation REAL NOT NULL, PRIMARY KEY (search, number, run)
 ) WITHOUT ROWID;
+CREATE TABLE picture (run INTEGER PRIMARY KEY REFERENCES run, svg TEXT NOT NULL);
 CREATE VIEW evaluations AS
   SELECT search_run.number, search_run.generation, search_run.value, search_run.violation, run.* FROM search_run
   JOIN run ON run.id = search_run.run WHERE search_run.search = (SELECT max(id) FROM search) ORDER BY search_run.number;

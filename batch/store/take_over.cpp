@@ -65,6 +65,8 @@ class Copier {
               std::string("INSERT INTO main.setting SELECT ?, name, value FROM other.setting WHERE run = ?")},
              {&copier.report_,
               std::string("INSERT INTO main.report SELECT ?, json FROM other.report WHERE run = ?")},
+             {&copier.picture_,
+              std::string("INSERT INTO main.picture SELECT ?, svg FROM other.picture WHERE run = ?")},
              {&copier.input_,
               std::string(
                   "INSERT OR IGNORE INTO main.input (file, sha256) SELECT file, sha256 FROM other.input JOIN "
@@ -89,18 +91,19 @@ class Copier {
         if (!*row) return Fault(fmt::format("run {} is not there", run));
         const std::int64_t ours = run_->whole(0);
         input_->bind(1, run);
-        for (std::optional<Statement>* each : {&setting_, &report_, &run_input_})
+        for (std::optional<Statement>* each : {&setting_, &report_, &picture_, &run_input_})
             (*each)->bind(1, ours).bind(2, run);
         return run_->run()
             .and_then([&] { return setting_->run(); })
             .and_then([&] { return report_->run(); })
+            .and_then([&] { return picture_->run(); })
             .and_then([&] { return input_->run(); })
             .and_then([&] { return run_input_->run(); })
             .map([&] { return ours; });
     }
 
   private:
-    std::optional<Statement> run_, setting_, report_, input_, run_input_;
+    std::optional<Statement> run_, setting_, report_, picture_, input_, run_input_;
 };
 
 }  // namespace

@@ -30,6 +30,14 @@ struct SettingValue {
     bool operator==(const SettingValue&) const = default;
 };
 
+/// What is kept of a run besides its row, where that is wanted.
+struct Kept {
+    bool report = false;   ///< All of it, as JSON.
+    bool picture = false;  ///< Path, speed and acceleration, as SVG.
+
+    bool operator==(const Kept&) const = default;
+};
+
 /// One run: a program on a machine, with all that it is told.
 struct Job {
     std::size_t number = 0;  ///< Within its batch, from 0.
@@ -37,7 +45,7 @@ struct Job {
     std::string machine;     ///< File or name; empty: the one of the cell, or the one built in.
     nlohmann::json options;  ///< Object, by the names of run_options().
     std::vector<SettingValue> settings;
-    bool keeps_report = false;  ///< Its whole report is wanted.
+    Kept keeps = {};
 };
 
 /// As a line of JSON, without a line feed.

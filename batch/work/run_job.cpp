@@ -15,6 +15,7 @@
 #include "batch/work/path_job.h"
 #include "engine/findings.h"
 #include "engine/system/host_of_system.h"
+#include "engine/system/picture.h"
 
 namespace gsim::batch {
 
@@ -146,18 +147,31 @@ void watch_joint_speeds(RunRow& row, engine::Run& run) {
     }
 }
 
-void run_request(RunRow& row, JobRequest request, bool keeps_report) {
+/// Of several robots the first one's.
+void draw(RunRow& row, const std::string& script) {
+    auto picture = engine::drawn(script);
+    (picture ? row.picture : row.picture_fault) = picture ? *std::move(picture) : picture.error();
+}
+
+void run_request(RunRow& row, JobRequest request, Kept keeps) {
     std::vector<engine::Diagnostic> told;
     auto run = engine::Run::open(std::move(request.run),
                                  [&](const engine::Diagnostic& each) { told.push_back(each); });
     if (!run) return refuse(row, run.error(), told);
     if (const auto prepared = run->prepare(); !prepared) return refuse(row, prepared.error(), told);
+    std::string script;
+    if (keeps.picture) {
+        const auto sink = [&](std::string_view text) { return script.append(text), true; };
+        if (const auto asked = run->write(engine::Document::plot, sink); !asked)
+            row.picture_fault = asked.error().message;
+    }
     if (request.joint_speeds) watch_joint_speeds(row, *run);
     const auto report = run->go();
     if (!report) return refuse(row, report.error(), told);
     take_figures(row, *report);
     take_cause(row, *report);
-    take_whole(row, report->json(), keeps_report);
+    take_whole(row, report->json(), keeps.report);
+    if (!script.empty()) draw(row, script);
 }
 
 }  // namespace
@@ -214,7 +228,7 @@ RunRow JobRunner::run_unguarded(const Job& job) {
             request->run.program = job.program + ".nc";
             request->run.text = engine::Text(**std::move(written), request->run.program);
         }
-        run_request(row, *std::move(request), job.keeps_report);
+        run_request(row, *std::move(request), job.keeps);
     }
     row.files = files.asked();
     row.cpu_s = cpu_now_s() - begun_s;

@@ -66,7 +66,7 @@ constexpr std::array kOptions{
     RunOption{"joint_speeds", Kind::flag,
               "the greatest share of its limit that the speed of an axis comes to, too",
               [](JobRequest& r, const json& v) { r.joint_speeds = v; }},
-    RunOption{"post", Kind::text, "how programs of paths are written; else as the machine reads them",
+    RunOption{"post", Kind::file, "how programs of paths are written; else as the machine reads them",
               [](JobRequest& r, const json& v) { r.path.post = v; }},
     RunOption{"path_frame", Kind::text, "frame or object of the cell that paths go along with",
               [](JobRequest& r, const json& v) { r.path_frame = v; }},

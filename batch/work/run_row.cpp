@@ -45,6 +45,8 @@ void for_each_plain(Row& row, const Take& take) {
     take("findings", row.findings);
     take("cpu_s", row.cpu_s);
     take("report", row.report);
+    take("picture", row.picture);
+    take("picture_fault", row.picture_fault);
 }
 
 /// The same for those that may be missing.

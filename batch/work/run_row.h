@@ -49,7 +49,9 @@ struct RunRow {
     std::string findings = {};                 ///< JSON: the diagnostics of the report.
     double cpu_s = 0;
     std::vector<ReadFile> files = {};
-    std::string report = {};  ///< JSON, where the job wants it.
+    std::string report = {};         ///< JSON, where the job wants it.
+    std::string picture = {};        ///< SVG, likewise.
+    std::string picture_fault = {};  ///< Why there is none, in a sentence.
 
     bool is_clean() const { return status == "completed" && cause.empty(); }
 };

@@ -29,17 +29,20 @@ FileHandle temporary_file(const std::string& text) {
     return file;
 }
 
-// Writes all of it; false where there is nothing.
-bool copy(std::FILE* drawn, OutputFile& picture) {
-    std::rewind(drawn);
+std::string text_of(std::FILE* file) {
+    std::rewind(file);
+    std::string text;
     std::array<char, 1U << 16U> bytes;
-    std::size_t copied = 0;
-    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), drawn)) {
-        picture.write({bytes.data(), count});
-        copied += count;
-    }
-    return copied != 0;
+    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file))
+        text.append(bytes.data(), count);
+    return text;
 }
+
+std::string cannot_draw(const std::filesystem::path& path, const std::string& why) {
+    return fmt::format("cannot draw '{}': {}", path.string(), why);
+}
+
+}  // namespace
 
 // Without it a run would end before what it was made for.
 tl::expected<void, std::string> find_gnuplot() {
@@ -49,11 +52,20 @@ tl::expected<void, std::string> find_gnuplot() {
     return os::run_child({"gnuplot", "--version"}, input.get(), output.get());
 }
 
-std::string cannot_draw(const std::filesystem::path& path, const std::string& why) {
-    return fmt::format("cannot draw '{}': {}", path.string(), why);
+tl::expected<std::string, std::string> drawn(const std::string& script) {
+    const FileHandle input = temporary_file(script);
+    const FileHandle output = os::file_in_memory("picture");  // gnuplot says nothing of a full disk
+    if (!input || !output) {
+        return tl::unexpected(
+            fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
+    }
+    // -d keeps the user's settings out.
+    if (auto done = os::run_child({"gnuplot", "-d"}, input.get(), output.get()); !done)
+        return tl::unexpected(done.error());
+    std::string picture = text_of(output.get());
+    if (picture.empty()) return tl::unexpected<std::string>("gnuplot has drawn nothing");
+    return picture;
 }
-
-}  // namespace
 
 tl::expected<Picture, std::string> Picture::named(const std::filesystem::path& path) {
     const bool bitmap = path.extension() == ".png";
@@ -67,17 +79,9 @@ tl::expected<Picture, std::string> Picture::named(const std::filesystem::path& p
 tl::expected<void, std::string> Picture::draw(const std::string& text) const {
     auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
-    const FileHandle script = temporary_file(text);
-    const FileHandle drawing = os::file_in_memory("picture");  // gnuplot says nothing of a full disk
-    if (!script || !drawing) {
-        return tl::unexpected(
-            fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
-    }
-    // -d keeps the user's settings out.
-    const auto drawn = os::run_child({"gnuplot", "-d"}, script.get(), drawing.get());
-    if (!drawn) return tl::unexpected(cannot_draw(path_, drawn.error()));
-    if (!copy(drawing.get(), *picture))
-        return tl::unexpected(cannot_draw(path_, "gnuplot has drawn nothing"));
+    const auto made = drawn(text);
+    if (!made) return tl::unexpected(cannot_draw(path_, made.error()));
+    picture->write(*made);
     return picture->commit();
 }
 

@@ -7,6 +7,11 @@
 
 namespace gsim::engine {
 
+/// The picture (SVG, or PNG) of a script that Document::plot has made, by gnuplot. The error is a sentence.
+tl::expected<std::string, std::string> drawn(const std::string& script);
+/// Whether there is gnuplot. The error is a sentence.
+tl::expected<void, std::string> find_gnuplot();
+
 /// A picture of a run, .svg or .png by the name of its file, by gnuplot from Document::plot: the path at
 /// equal scales, jet on dark, jet off grey, rapids dashed, with marks; below it the speed of the tool over
 /// time with the programmed feed, and the acceleration along the path, of rapids at scales of their own.

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -294,6 +296,25 @@ steps = 1000
     EXPECT_EQ(number("SELECT count(DISTINCT key) FROM run"), 3000);
     EXPECT_EQ(number("SELECT count(*) FROM latest"), 3000);
     EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("0 run"));
+}
+
+TEST_F(BatchProgram, KeepsPicturesAndShowsThem) {
+    write("m.toml", kSlide);
+    write_programs(2);
+    if (std::system("gnuplot --version > /dev/null 2>&1") != 0) {
+        EXPECT_THAT(batch({"--machine", "m.toml", "p0.ngc", "--pictures"}).err, HasSubstr("gnuplot"));
+        GTEST_SKIP() << "there is no gnuplot here";
+    }
+    ASSERT_EQ(batch({"--machine", "m.toml", "p0.ngc", "p1.ngc"}).status, 0);
+    const Ended drawn = batch({"--machine", "m.toml", "p0.ngc", "--pictures", "--pages", "site"});
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    EXPECT_THAT(drawn.err, HasSubstr("1 run")) << "there had been no picture of it";
+    EXPECT_EQ(number("SELECT count(*) FROM picture WHERE svg LIKE '%<svg%</svg>%'"), 1);
+    EXPECT_THAT(batch({"--machine", "m.toml", "p0.ngc", "--pictures"}).err, HasSubstr("0 run"));
+    std::string pages;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "site"))
+        pages += read("site/" + entry.path().filename().string());
+    EXPECT_THAT(pages, HasSubstr("src=\"data:image/svg+xml;base64,"));
 }
 
 TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {

@@ -73,7 +73,7 @@ steps = 3
     EXPECT_EQ(settings_json(job.settings).dump(),
               R"({"machine.axis.X.max_speed_mm_s":100.0,"machine.controller.model":"blend"})");
     EXPECT_THAT(job.options.at("cell").get<std::string>(), EndsWith("/m.toml"));
-    EXPECT_TRUE(job.keeps_report);
+    EXPECT_TRUE(job.keeps.report);
     const auto again = read_job(print_job(job));
     ASSERT_TRUE(again);
     EXPECT_EQ(again->settings, job.settings);

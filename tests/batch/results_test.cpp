@@ -70,22 +70,22 @@ TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error();
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
-    EXPECT_FALSE(results->find("k", hash_of(), false, false).value());
+    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value());
     const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
     ASSERT_TRUE(run) << run.error();
     ASSERT_TRUE(results->note(0, *run, false));
     ASSERT_TRUE(results->end_batch(true));
 
-    ASSERT_TRUE(results->find("k", hash_of(), false, false).value());
-    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, *run);
-    EXPECT_FALSE(results->find("k", hash_of(), true, false).value()) << "it has no report";
-    EXPECT_FALSE(results->find("other", hash_of(), false, false).value());
+    ASSERT_TRUE(results->find("k", hash_of(), {}, false).value());
+    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *run);
+    EXPECT_FALSE(results->find("k", hash_of(), {.report = true}, false).value()) << "it has no report";
+    EXPECT_FALSE(results->find("other", hash_of(), {}, false).value());
     hashes_["sub.nc"] = "3";
-    EXPECT_FALSE(results->find("k", hash_of(), false, false).value());
+    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value());
     hashes_["sub.nc"] = "2";
-    EXPECT_TRUE(results->find("k", hash_of(), false, false).value());
+    EXPECT_TRUE(results->find("k", hash_of(), {}, false).value());
     hashes_["gone.nc"] = "9";
-    EXPECT_FALSE(results->find("k", hash_of(), false, false).value())
+    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value())
         << "it was looked for, and now it is there";
 }
 
@@ -96,10 +96,10 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     RunRow row = row_of(0);
     row.status = row.cause = "crashed";
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v"));
-    const auto found = results->find("k", hash_of(), false, false).value();
+    const auto found = results->find("k", hash_of(), {}, false).value();
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->is_clean);
-    EXPECT_FALSE(results->find("k", hash_of(), false, true).value());
+    EXPECT_FALSE(results->find("k", hash_of(), {}, true).value());
     ASSERT_TRUE(results->end_batch(true));
 }
 
@@ -112,9 +112,9 @@ TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
     lost.status = lost.cause = "timeout";
     lost.files = {};
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, lost, "v"));
-    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, *good);
+    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *good);
     hashes_["sub.nc"] = "3";
-    EXPECT_FALSE(results->find("k", hash_of(), false, false).value()->is_clean);
+    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value()->is_clean);
     ASSERT_TRUE(results->end_batch(true));
 }
 
@@ -257,6 +257,34 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
     fs::permissions(odd, fs::perms::owner_all);
 }
 
+// A run without what is wanted of it is made again.
+TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
+    auto results = Results::open(file_);
+    ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
+    RunRow row = row_of(0);
+    const auto bare = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
+    EXPECT_FALSE(results->find("k", hash_of(), {.picture = true}, false).value());
+    row.picture = "<svg/>";
+    const auto drawn = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
+    EXPECT_EQ(results->find("k", hash_of(), {.picture = true}, false).value()->run, *drawn);
+    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *drawn) << "the newest";
+    EXPECT_FALSE(results->find("k", hash_of(), {.report = true, .picture = true}, false).value());
+    ASSERT_TRUE(results->note(0, *bare, false));
+    ASSERT_TRUE(results->note(1, *drawn, false));
+    ASSERT_TRUE(results->end_batch(true));
+    // Those of shards come along.
+    const std::string all = (folder_ / "all.sqlite").string();
+    auto gathered = Results::open(all);
+    ASSERT_TRUE(gathered->begin_batch("plan", 2, "v"));
+    ASSERT_TRUE(gathered->take_over(file_));
+    ASSERT_TRUE(gathered->end_batch(true));
+    auto asked = Database::open(all, true);
+    auto rows = asked->prepare("SELECT group_concat(svg), count(*) FROM picture");
+    ASSERT_TRUE(rows->step().value());
+    EXPECT_EQ(rows->text(0), "<svg/>");
+    EXPECT_EQ(rows->whole(1), 1);
+}
+
 // As the version before had made it: what is in it stays, and is found again.
 TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
     {
@@ -276,7 +304,7 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
         HasSubstr("clearance_mm"));
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error();
-    EXPECT_EQ(results->find("k", hash_of(), false, false).value()->run, 1);
+    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, 1);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
     RunRow row = row_of(0);
     row.clearance_mm = 1.25;

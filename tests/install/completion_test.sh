@@ -53,13 +53,30 @@ verdict 'bash: folders' 'folder' "$(completed gsim-run --lua-lib '')"
 verdict 'bash: a number is the user'"'"'s' '' "$(completed gsim-run --max-time '')"
 verdict 'bash: commands of gsim-data' 'list' "$(completed gsim-data jet.txt l)"
 
+# Programs that are no part of gsim have scripts of their own.
+own=()
+for script in "$completions"/gsim-*.bash; do own+=("$(basename "$script" .bash)"); done
+[[ ${own[*]} == *gsim-batch*gsim-optimise* ]] || failed=1
+for name in "${own[@]}"; do
+    bash -n "$completions/$name.bash" || failed=1
+    # shellcheck source=/dev/null
+    source "$completions/$name.bash"
+done
+verdict 'bash: options of gsim-batch' '--machine,--machine-data' "$(completed gsim-batch --mach)"
+verdict 'bash: options of gsim-optimise' '--best' "$(completed gsim-optimise b.toml --be)"
+verdict 'bash: files of gsim-optimise' 'b.toml' "$(completed gsim-optimise b)"
+
 if command -v zsh >/dev/null; then
+    for name in "${own[@]}"; do verdict "zsh: syntax of $name" '' "$(zsh -n "$completions/$name.zsh" 2>&1)"; done
     verdict 'zsh: syntax' '' "$(zsh -n "$completions/gsim.zsh" 2>&1)"
     mkdir "$scratch/functions"
     cp "$completions/gsim.zsh" "$scratch/functions/_gsim"
     zsh_completed() {
         timeout 60 zsh -f "$here/zsh_completed.zsh" "$scratch/functions" "$1" | paste -sd,
     }
+    for name in "${own[@]}"; do cp "$completions/$name.zsh" "$scratch/functions/_$name"; done
+    verdict 'zsh: options of gsim-optimise' '--best' "$(zsh_completed 'gsim-optimise --be')"
+    verdict 'zsh: files of gsim-batch' 'b.toml' "$(zsh_completed 'gsim-batch --machine b')"
     verdict 'zsh: commands' 'check,completion' "$(zsh_completed 'gsim c')"
     verdict 'zsh: shells' 'bash' "$(zsh_completed 'gsim completion b')"
     verdict 'zsh: options' '--machine,--machine-data' "$(zsh_completed 'gsim run --mach')"
@@ -77,6 +94,9 @@ if command -v fish >/dev/null; then
     fish_completed() {
         fish --no-config --command "source '$completions/gsim.fish'; complete --do-complete '$1'" | cut -f1 | paste -sd,
     }
+    for name in "${own[@]}"; do verdict "fish: syntax of $name" '' "$(fish --no-execute "$completions/$name.fish" 2>&1)"; done
+    verdict 'fish: options of gsim-optimise' '--best' \
+        "$(fish --no-config --command "source '$completions/gsim-optimise.fish'; complete --do-complete 'gsim-optimise --be'" | cut -f1 | paste -sd,)"
     verdict 'fish: commands' 'check,completion' "$(fish_completed 'gsim c')"
     verdict 'fish: shells' 'bash' "$(fish_completed 'gsim completion b')"
     verdict 'fish: options' '--machine,--machine-data' "$(fish_completed 'gsim run --mach')"
