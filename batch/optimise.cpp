@@ -3,6 +3,7 @@
 #include "batch/optimise.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -35,11 +36,14 @@ namespace {
 using Done = tl::expected<void, std::string>;
 using Fault = tl::unexpected<std::string>;
 
+// Others may use the same results beside a search of hours.
+constexpr std::chrono::milliseconds kLockWait(600'000);
+
 struct OptimiseArguments {
     std::string plan;
     std::string results = "gsim-optimise.sqlite";
     std::string best, json, page;
-    std::optional<double> variants, seed;
+    std::uint64_t variants = 0, seed = 0;
     std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
     std::optional<double> memory_mb;
     double timeout_s = 600;
@@ -61,7 +65,8 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
         .called("FILE")
         .shows_default();
     line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
-        .called("FOLDER");
+        .called("FOLDER")
+        .of_file(FileKind::folder);
     line.add("--overwrite", &a.overwrite, "files of --best may replace files that are there already");
     line.add("--json", &a.json, "write what was found as JSON; -: standard output")
         .of_file(FileKind::output, {".json"});
@@ -69,9 +74,9 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
         .of_file(FileKind::output, {".html"});
     line.add("-q,--quiet", &a.quiet, "no progress");
     line.begin_group("Search");
-    line.add("--variants", &a.variants, "how many are tried at most, in place of the plan's")
-        .within(1, 10'000'000);
-    line.add("--seed", &a.seed, "of what is drawn by lot, in place of the plan's").within(1, 10'000'000);
+    line.add("--variants", &a.variants, "how many are tried at most; 0: as the plan says")
+        .within(0, 10'000'000);
+    line.add("--seed", &a.seed, "of what is drawn by lot; 0: as the plan says").within(0, 10'000'000);
     line.begin_group("Here");
     line.add("-j,--workers", &a.workers, "processes that run programs at once")
         .within(1, 4096)
@@ -109,18 +114,20 @@ tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
     return os::read_text_file(a.plan, os::NamedBy::command_line)
         .and_then([&](const std::string& text) { return read_search(text, a.plan); })
         .map([&](SearchPlan search) {
-            if (a.variants) search.variants = static_cast<std::uint64_t>(*a.variants);
-            if (a.seed) search.seed = static_cast<std::uint64_t>(*a.seed);
+            if (a.variants > 0) search.variants = a.variants;
+            if (a.seed > 0) search.seed = a.seed;
             return search;
         });
 }
 
-tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, const Plan& plan) {
+tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, const Plan& plan, bool anew) {
     return run_batch(plan,
                      {.results = a.results,
                       .workers = a.workers,
                       .memory_mb = static_cast<std::uint64_t>(a.memory_mb.value_or(4096)),
                       .timeout_s = a.timeout_s,
+                      .anew = anew,
+                      .lock_wait = kLockWait,
                       .retry = a.retry},
                      stop_flag(), [](const BatchTally&) {})
         .map([](const BatchTally& tally) {
@@ -141,7 +148,8 @@ ClusterOptions cluster_options(const OptimiseArguments& a) {
 }
 
 /// What a cluster loses is submitted again.
-tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan) {
+tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
+                                                         bool anew) {
     constexpr int kMostTries = 5;
     constexpr std::chrono::milliseconds kPoll(500);
     if (!why_not_here(a.results).empty()) {
@@ -149,7 +157,9 @@ tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments
             return Fault(over.error());
     }
     for (int tries = 0; tries < kMostTries && !stop_flag(); ++tries) {
-        auto state = submit(plan, cluster_options(a));
+        ClusterOptions options = cluster_options(a);
+        options.anew = anew && tries == 0;  // what was lost alone is submitted again
+        auto state = submit(plan, options);
         if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPoll);
         if (!state) return Fault(state.error());
         if (state->gathered) return Evaluated{state->batch, true};
@@ -161,9 +171,12 @@ tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments
 }
 
 void show_search(const SearchPlan& search, const SearchState& state, bool on_terminal) {
-    fmt::print(stderr, "{}{} of {} variants, {} without a fault; best {:.6g}, start {:.6g}{}",
+    const auto shown = [](std::optional<double> value) {
+        return value ? fmt::format("{:.6g}", *value) : std::string("-");
+    };
+    fmt::print(stderr, "{}{} of {} variants, {} without a fault; best {}, start {}{}",
                on_terminal ? "\r" : "", state.tried, search.variants + 1, state.allowed,
-               state.best.score.value, state.start.score.value, on_terminal ? "   " : "\n");
+               shown(state.best.score.value), shown(state.start.score.value), on_terminal ? "   " : "\n");
 }
 
 Done write_to(const std::string& file, const std::string& text) {
@@ -186,14 +199,29 @@ Done write_found(const OptimiseArguments& a, const SearchPlan& search, const Sea
     });
 }
 
-/// Nobody is to wait for hours to be told that.
-std::string fault_of_folder(const OptimiseArguments& a, const Plan& plan) {
-    if (a.best.empty() || a.overwrite) return {};
-    const std::vector<std::string> files = files_in_the_way(plan, a.best);
-    return files.empty()
-               ? std::string()
-               : fmt::format("'{}' is there already; take another folder for --best, or --overwrite",
-                             files.front());
+/// What would be in vain. Nobody is to wait for hours to be told that.
+std::string fault_of_outputs(const OptimiseArguments& a, const Plan& plan) {
+    for (const std::string& file : {a.json, a.page}) {
+        if (file.empty() || file == os::kStandardStream) continue;
+        if (const auto writable = os::OutputFile::check(file); !writable) return writable.error();
+    }
+    return a.best.empty() ? std::string() : fault_of_folder(plan, a.best, a.overwrite);
+}
+
+/// What was found is told whatever comes of its proof.
+int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
+             const Evaluate& evaluate) {
+    std::optional<Proof> proof;
+    std::string why_unproven;
+    if (state.whole && state.best.score.is_allowed()) {
+        auto proven = prove(search, state, a.results, a.best, evaluate);
+        if (proven) proof = *std::move(proven);
+        if (!proven) why_unproven = proven.error();
+    }
+    if (const Done done = write_found(a, search, state, proof); !done) return refuse_search(done.error());
+    if (!why_unproven.empty()) fmt::print(stderr, "{}: not proven: {}\n", kOptimise, why_unproven);
+    if (!state.whole) fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kOptimise);
+    return proof ? apps::kDone : apps::kProgramFault;
 }
 
 int run_search(const OptimiseArguments& a) {
@@ -202,11 +230,11 @@ int run_search(const OptimiseArguments& a) {
     if (!a.slurm) {
         if (const std::string why = why_not_here(a.results); !why.empty()) return refuse_search(why);
     }
-    if (const std::string fault = fault_of_folder(a, search->plan); !fault.empty())
+    if (const std::string fault = fault_of_outputs(a, search->plan); !fault.empty())
         return refuse_search(fault);
     stop_on_signals();
-    const Evaluate evaluate = [&](const Plan& plan) {
-        return a.slurm ? evaluate_on_cluster(a, plan) : evaluate_here(a, plan);
+    const Evaluate evaluate = [&](const Plan& plan, bool anew) {
+        return a.slurm ? evaluate_on_cluster(a, plan, anew) : evaluate_here(a, plan, anew);
     };
     const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
     const auto state = search_best(*search, a.results, evaluate, [&](const SearchState& now) {
@@ -218,15 +246,7 @@ int run_search(const OptimiseArguments& a) {
         fmt::print(stderr, "{}: cut off before anything was run\n", kOptimise);
         return apps::kProgramFault;
     }
-    std::optional<Proof> proof;
-    if (state->whole && state->best.score.is_allowed()) {
-        auto proven = prove(*search, *state, a.results, a.best, evaluate);
-        if (!proven) return refuse_search(proven.error());
-        proof = *std::move(proven);
-    }
-    if (const Done done = write_found(a, *search, *state, proof); !done) return refuse_search(done.error());
-    if (!state->whole) fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kOptimise);
-    return proof ? apps::kDone : apps::kProgramFault;
+    return conclude(a, *search, *state, evaluate);
 }
 
 }  // namespace

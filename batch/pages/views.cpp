@@ -57,6 +57,7 @@ tl::expected<std::vector<std::string>, std::string> Views::command_for(const Run
     if (run.moves > kMostMoves) return Fault(fmt::format("it has more than {} moves", kMostMoves));
     if (run.version != maker_.version) return Fault("it was run by another version of gsim");
     OpenCommand command = view_command(told_of(run));
+    if (command.words.empty()) return Fault("a path is its program, which gsim run does not take");
     if (!command.left_out.empty())
         return Fault(fmt::format("gsim run has no word for {}", command.left_out.front()));
     const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {

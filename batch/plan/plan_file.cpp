@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <set>
@@ -6,6 +7,7 @@
 
 #include "batch/plan/plan.h"
 #include "batch/plan/setting_file.h"
+#include "batch/work/path_job.h"
 #include "batch/work/run_options.h"
 
 namespace gsim::batch {
@@ -59,6 +61,7 @@ class PlanReader {
         read_controllers(section);
         if (auto sampling = section.section("sampling", "[sampling]", kSamplingKeys))
             read_sampling(*sampling);
+        check_path_options(section);
         check_design(section);
     }
 
@@ -134,7 +137,30 @@ class PlanReader {
             plan_.design.runs = whole_number(section, "runs", 1, kMostRuns, 1);
     }
 
+    /// A search says itself what is tried.
+    void check_search(TomlSection& section) {
+        if (section.has("sampling"))
+            section.fail("sampling",
+                         "a search draws its variants itself ([search]); [sampling] says nothing to it");
+        if (section.has("controllers"))
+            section.fail("controllers",
+                         "a search takes one control; to choose among several, make a [[setting]] of "
+                         "'machine.controller.model' with 'values'");
+    }
+
+    /// What would do nothing.
+    void check_path_options(TomlSection& section) {
+        if (std::any_of(plan_.programs.begin(), plan_.programs.end(), is_path)) return;
+        for (const char* option : {"post", "path_frame", "rotary_as_given"}) {
+            if (plan_.options.contains(option))
+                section.fail(
+                    "options",
+                    fmt::format("'{}' is of paths (.path.json, .path.lua), and no program is one", option));
+        }
+    }
+
     void check_design(TomlSection& section) {
+        if (use_ == PlanUse::search) check_search(section);
         double size = 1;
         std::set<std::string> keys;
         for (const Setting& setting : plan_.settings) {
@@ -151,7 +177,8 @@ class PlanReader {
                     fmt::format("'{}' has no list of values or steps, as a grid needs; take another "
                                 "'kind' of [sampling]",
                                 setting.keys.front()));
-            if (choices != nullptr) size *= static_cast<double>(choices->values.size());
+            if (choices != nullptr && use_ == PlanUse::batch)
+                size *= static_cast<double>(choices->values.size());
         }
         if (plan_.design.sampling != Sampling::grid) size = static_cast<double>(plan_.design.runs);
         size *= static_cast<double>(plan_.programs.size() * plan_.machines.size());

@@ -77,7 +77,8 @@ class SettingReader {
                           "factors are of feeds, and of values that a machine, cell or robots file has");
         if (setting_.use == SettingUse::shift && !of_file)
             section_.fail("shift", "what is added is so to values that a machine, cell or robots file has");
-        if ((key == kOrderKey) != (section_.has("orders") || (section_.has("values") && key == kOrderKey)))
+        const bool may_be_order = section_.has("orders") || section_.has("values");
+        if (key == kOrderKey ? !may_be_order : section_.has("orders"))
             section_.fail("key",
                           "'path.order' has 'orders', the count of what is ordered, or lists as 'values'");
     }

@@ -41,7 +41,7 @@ class BatchRun {
                  .timeout_s = options.timeout_s}) {}
 
     tl::expected<BatchTally, std::string> run() {
-        auto lock = os::FileLock::get(options_.results, std::chrono::milliseconds(0));
+        auto lock = os::FileLock::get(options_.results, options_.lock_wait);
         if (!lock) return Fault(lock.error());
         auto results = Results::open(options_.results, options_.journal);
         if (!results) return Fault(results.error());
@@ -95,7 +95,8 @@ class BatchRun {
     /// A job that was done before is noted, another one given to a worker.
     SqlDone begin(Job job) {
         RunKey key = known_.key_of(job);
-        const auto found = known_.find(*results_, key, job, options_.retry);
+        using Found = tl::expected<std::optional<Results::FoundRun>, std::string>;
+        const Found found = options_.anew ? Found() : known_.find(*results_, key, job, options_.retry);
         if (!found) return Fault(found.error());
         if (*found) {
             ++tally_.reused;

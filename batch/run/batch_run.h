@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -22,6 +23,8 @@ struct BatchOptions {
     double timeout_s = 600;          ///< Of each run, by the clock.
     Journal journal = Journal::write_ahead;
     std::optional<std::vector<std::uint64_t>> only = {};  ///< Numbers of jobs; nothing: all of them.
+    bool anew = false;                                    ///< What is there already is run all the same.
+    std::chrono::milliseconds lock_wait{0};               ///< For whoever else changes the file.
     bool retry = false;  ///< What crashed, took too long or too much memory is run again.
 };
 

@@ -1,5 +1,6 @@
 #include "batch/search/best_files.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <system_error>
@@ -7,10 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "base/os/input_file.h"
 #include "base/os/output_file.h"
 #include "base/toml/toml_edit.h"
 #include "batch/work/edits.h"
 #include "batch/work/run_job.h"
+#include "batch/work/run_options.h"
 
 namespace gsim::batch {
 
@@ -24,15 +27,12 @@ constexpr const char *kProgram = ".nc", *kMachine = ".machine.toml", *kCell = ".
                      *kRobots = ".robots.toml", *kData = ".data.txt";
 constexpr std::array kEndings{kProgram, kMachine, kCell, kRobots, kData};
 
-/// The places of all texts in a document that name files beside `folder`.
+/// Keys of machine files, cells and files of robots that name files.
+constexpr std::array kFileKeys{"machine", "machine_data", "mesh", "cell"};
+
+/// The places of all names of files beside `folder` in a document.
 void find_names(const json& value, const fs::path& folder, const base::TomlPath& path,
                 std::vector<std::pair<base::TomlPath, std::string>>& found) {
-    if (const auto* text = value.get_ptr<const std::string*>()) {
-        std::error_code ignored;
-        if (!text->empty() && !fs::path(*text).is_absolute() && fs::is_regular_file(folder / *text, ignored))
-            found.emplace_back(path, fs::absolute(folder / *text).lexically_normal().string());
-        return;
-    }
     const auto go_on = [&](const auto& key, const json& inner) {
         base::TomlPath below = path;
         below.emplace_back(key);
@@ -41,8 +41,15 @@ void find_names(const json& value, const fs::path& folder, const base::TomlPath&
     for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) go_on(i, value[i]);
     if (!value.is_object()) return;
     for (const auto& [key, inner] : value.items()) {
-        const bool is_name = key == "name" || key == "letter" || key == "on" || key == "attached_to";
-        if (!is_name) go_on(key, inner);
+        const auto* name = inner.get_ptr<const std::string*>();
+        const bool is_file = std::find(kFileKeys.begin(), kFileKeys.end(), key) != kFileKeys.end();
+        if (name == nullptr) {
+            go_on(key, inner);
+        } else if (is_file && !fs::path(*name).is_absolute()) {
+            base::TomlPath below = path;
+            below.emplace_back(key);
+            found.emplace_back(below, fs::absolute(folder / *name).lexically_normal().string());
+        }
     }
 }
 
@@ -112,6 +119,27 @@ std::string stem_of(const Job& job, std::uint64_t count) {
     return count > 1 ? fmt::format("{}-{}", stem, job.number + 1) : stem;
 }
 
+/// What a plan names, and what the machines and the cell of it name.
+std::vector<std::string> files_that_are_read(const Plan& plan) {
+    std::vector<std::string> files = plan.programs;
+    files.push_back(plan.name);
+    files.insert(files.end(), plan.machines.begin(), plan.machines.end());
+    for (const auto& [name, value] : plan.options.items()) {
+        if (find_option(name)->kind == RunOption::Kind::file) files.push_back(value.get<std::string>());
+    }
+    const std::size_t named = files.size();
+    for (std::size_t i = 0; i < named; ++i) {
+        if (!files[i].ends_with(".toml")) continue;
+        const auto text = os::read_text_file(files[i], os::NamedBy::command_line);
+        auto edit = text ? base::TomlEdit::read(*text, files[i]) : tl::unexpected(text.error());
+        if (!edit) continue;
+        std::vector<std::pair<base::TomlPath, std::string>> names;
+        find_names(edit->value(), fs::path(files[i]).parent_path(), {}, names);
+        for (auto& [path, name] : names) files.push_back(std::move(name));
+    }
+    return files;
+}
+
 }  // namespace
 
 tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
@@ -137,21 +165,37 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
     return written;
 }
 
-std::vector<std::string> files_in_the_way(const Plan& plan, const std::string& folder) {
+std::vector<std::string> files_of_variants(const Plan& plan, const std::string& folder) {
     Plan one = plan;
     one.settings.clear();
     one.design = {.sampling = Sampling::listed, .listed = {{}}};
     const Jobs jobs(one);
-    std::vector<std::string> found;
+    std::vector<std::string> files;
     for (std::uint64_t i = 0; i < jobs.size(); ++i) {
         const std::string stem = stem_of(jobs.job(i), jobs.size());
-        for (const char* ending : kEndings) {
-            const fs::path file = fs::path(folder) / (stem + ending);
-            std::error_code ignored;
-            if (fs::exists(fs::symlink_status(file, ignored))) found.push_back(file.string());
-        }
+        for (const char* ending : kEndings) files.push_back((fs::path(folder) / (stem + ending)).string());
     }
-    return found;
+    return files;
+}
+
+std::string fault_of_folder(const Plan& plan, const std::string& folder, bool overwrite) {
+    const std::vector<std::string> inputs = files_that_are_read(plan);
+    for (const std::string& file : files_of_variants(plan, folder)) {
+        std::error_code error;
+        if (!fs::exists(fs::symlink_status(file, error))) continue;
+        if (!overwrite)
+            return fmt::format("'{}' is there already; take another folder for --best, or --overwrite", file);
+        const bool is_read = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+            std::error_code other;
+            return fs::equivalent(file, input, other);
+        });
+        if (is_read) return fmt::format("'{}' is read by the search; take another folder for --best", file);
+    }
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return fmt::format("'{}': {}", folder, error.message());
+    const auto writable = os::OutputFile::check(fs::path(folder) / "x.nc");
+    return writable ? std::string() : writable.error();
 }
 
 }  // namespace gsim::batch

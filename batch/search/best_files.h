@@ -18,7 +18,8 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
                                                           const std::vector<SettingValue>& settings,
                                                           const std::string& folder);
 
-/// Which of the files that write_variant() may write are there already.
-std::vector<std::string> files_in_the_way(const Plan& plan, const std::string& folder);
+/// Why the files of a variant cannot be written into a folder, which is made, in a sentence: one is there
+/// already, or, where they may be overwritten, the search itself reads it. Nothing where all is well.
+std::string fault_of_folder(const Plan& plan, const std::string& folder, bool overwrite);
 
 }  // namespace gsim::batch

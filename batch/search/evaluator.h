@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -17,7 +16,8 @@ struct Evaluated {
     bool whole = false;  ///< Else it was cut off.
 };
 
-/// Has all jobs of a plan in the results, wherever they are run. The error is a sentence.
-using Evaluate = std::function<tl::expected<Evaluated, std::string>(const Plan& plan)>;
+/// Has all jobs of a plan in the results, wherever they are run; `anew`: what is there already is run all the
+/// same. The error is a sentence.
+using Evaluate = std::function<tl::expected<Evaluated, std::string>(const Plan& plan, bool anew)>;
 
 }  // namespace gsim::batch

@@ -34,7 +34,7 @@ VectorXd weights_of(std::size_t population) {
     return weights / weights.sum();
 }
 
-/// The constants of table 1 of the tutorial.
+/// The constants of table 1 of the tutorial (of 2023).
 struct Constants {
     Constants(double n, double mass_in)
         : mass(mass_in),
@@ -42,7 +42,7 @@ struct Constants {
           step_damping(1 + 2 * std::max(0.0, std::sqrt((mass - 1) / (n + 1)) - 1) + step_rate),
           path_rate((4 + mass / n) / (n + 4 + 2 * mass / n)),
           one_rate(2 / ((n + 1.3) * (n + 1.3) + mass)),
-          many_rate(std::min(1 - one_rate, 2 * (mass - 2 + 1 / mass) / ((n + 2) * (n + 2) + mass))),
+          many_rate(std::min(1 - one_rate, 2 * (0.25 + mass - 2 + 1 / mass) / ((n + 2) * (n + 2) + mass))),
           mean_length(std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n))) {}
 
     double mass;  ///< Of the variance that the parents have together.

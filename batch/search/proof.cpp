@@ -16,8 +16,9 @@ constexpr double kSame = 1e-9;
 
 class Prover {
   public:
-    Prover(const SearchPlan& search, const std::string& results, const Evaluate& evaluate)
-        : search_(search), results_(results), evaluate_(evaluate) {}
+    Prover(const SearchPlan& search, const SearchState& state, const std::string& results,
+           const Evaluate& evaluate)
+        : search_(search), start_(state.start.runs), results_(results), evaluate_(evaluate) {}
 
     /// Runs of a variant as the search has made them, but for what is told of them.
     tl::expected<Proof::Bounded, std::string> again(const Trial& trial) {
@@ -51,7 +52,7 @@ class Prover {
     }
 
     tl::expected<std::vector<RunFigures>, std::string> runs_of(const Plan& plan) {
-        const auto evaluated = evaluate_(plan);
+        const auto evaluated = evaluate_(plan, true);
         if (!evaluated) return Fault(evaluated.error());
         if (!evaluated->whole) return Fault("cut off before the best variant was proven");
         auto results = Database::open(results_, true);
@@ -59,16 +60,14 @@ class Prover {
         return read_figures(*results, evaluated->batch, Jobs(plan).size());
     }
 
+    /// All that both have is the same.
     tl::expected<Proof::Bounded, std::string> compared(const Trial& trial,
-                                                       const std::vector<RunFigures>& runs) {
-        const Score score = score_of(search_, runs, runs);
-        if (std::abs(score.value - trial.score.value) > kSame * std::max(1.0, std::abs(trial.score.value)) ||
-            (trial.score.is_allowed() && !score.is_allowed()))
-            return Fault(fmt::format("a run of its own comes to {} where the search had {}{}", score.value,
-                                     trial.score.value, why(runs)));
-        Proof::Bounded bounded{.value = score.value, .lower_bound_s = 0};
-        for (const RunFigures& run : runs) {
-            const auto& bound = run.figures.at("lower_bound_s");
+                                                       const std::vector<RunFigures>& runs) const {
+        Proof::Bounded bounded{.value = score_of(search_, runs, start_).value, .lower_bound_s = 0};
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (const std::string fault = difference(trial.runs[i], runs[i]); !fault.empty())
+                return Fault(fault);
+            const auto& bound = runs[i].figures.at("lower_bound_s");
             bounded.lower_bound_s = bound && bounded.lower_bound_s
                                         ? std::optional(*bounded.lower_bound_s + *bound)
                                         : std::nullopt;
@@ -76,14 +75,24 @@ class Prover {
         return bounded;
     }
 
-    static std::string why(const std::vector<RunFigures>& runs) {
-        for (const RunFigures& run : runs) {
-            if (!run.is_clean()) return fmt::format(" ({}: {})", run.program, run.message);
+    static std::string difference(const RunFigures& tried, const RunFigures& again) {
+        if (tried.status != again.status || tried.cause != again.cause)
+            return fmt::format(
+                "a run of its own of '{}' ends otherwise than in the search: {} {} in place of {} {}{}",
+                again.program, again.status, again.cause, tried.status, tried.cause,
+                again.message.empty() ? "" : " (" + again.message + ")");
+        for (const auto& [figure, value] : tried.figures) {
+            const auto& other = again.figures.at(figure);
+            if (!value || (other && std::abs(*other - *value) <= kSame * std::max(1.0, std::abs(*value))))
+                continue;
+            return fmt::format("a run of its own of '{}' has {} {} where the search had {}", again.program,
+                               figure, other ? fmt::format("{}", *other) : "none", *value);
         }
         return {};
     }
 
     const SearchPlan& search_;
+    const std::vector<RunFigures>& start_;
     const std::string& results_;
     const Evaluate& evaluate_;
 };
@@ -93,7 +102,7 @@ class Prover {
 tl::expected<Proof, std::string> prove(const SearchPlan& search, const SearchState& state,
                                        const std::string& results, const std::string& folder,
                                        const Evaluate& evaluate) {
-    Prover prover(search, results, evaluate);
+    Prover prover(search, state, results, evaluate);
     Proof proof;
     auto start = prover.again(state.start);
     if (!start) return Fault(start.error());

@@ -14,7 +14,7 @@ namespace gsim::batch {
 /// What the best variant and the start come to in runs of their own, with reports and lower bounds.
 struct Proof {
     struct Bounded {
-        double value = 0;                          ///< Of the objective.
+        std::optional<double> value = {};          ///< Of the objective.
         std::optional<double> lower_bound_s = {};  ///< Sum over its runs, where all have one.
     };
     Bounded start, best;
@@ -22,8 +22,8 @@ struct Proof {
 };
 
 /// Runs the start and the best variant once more: the latter from the files that are written into `folder`,
-/// where one is given. The error: a run comes to something else than the search has it, or a file cannot be
-/// written.
+/// where one is given. The error: any figure of a run is another one than the search has, or a file cannot be
+/// written, or it was cut off.
 tl::expected<Proof, std::string> prove(const SearchPlan& search, const SearchState& state,
                                        const std::string& results, const std::string& folder,
                                        const Evaluate& evaluate);

@@ -13,9 +13,9 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-// Classes of what is not allowed, each worse than all of the ones before: past limits, ended before the end,
-// not begun.
-constexpr double kEnded = 1e6, kNotBegun = 1e9;
+// Classes of what is not allowed, each worse than the ones before: past limits, ended before the end, not
+// begun.
+constexpr double kMostExcess = 1e5, kEnded = 1e6, kNotBegun = 1e9;
 
 bool has_figures(const RunFigures& run) {
     return run.status == "completed" || run.status == "violations";
@@ -30,11 +30,12 @@ double violation_of(const RunFigures& run) {
     return kNotBegun;
 }
 
+/// By how much a figure is beyond its limit, as a share of that.
 double excess(const FigureLimit& limit, const RunFigures& run) {
     const auto found = run.figures.find(limit.figure);
-    if (found == run.figures.end() || !found->second) return kEnded;
+    if (found == run.figures.end() || !found->second) return kMostExcess;
     const auto beyond = [](double by, double bound) {
-        return by > 0 ? by / std::max(std::abs(bound), 1e-3) : 0.0;
+        return by > 0 ? std::min(by / std::max(std::abs(bound), 1e-3), kMostExcess) : 0.0;
     };
     double excess = 0;
     if (limit.least) excess += beyond(*limit.least - *found->second, *limit.least);
@@ -78,15 +79,23 @@ tl::expected<std::vector<RunFigures>, std::string> read_figures(Database& result
     return found;
 }
 
+bool was_not_begun(const RunFigures& run) {
+    return violation_of(run) >= kNotBegun;
+}
+
 Score score_of(const SearchPlan& search, std::span<const RunFigures> runs,
                std::span<const RunFigures> start) {
-    Score score;
+    Score score{.value = 0};
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const RunFigures& run = runs[i];
         score.violation += violation_of(run);
-        if (!has_figures(run)) continue;
-        for (const Weight& weight : search.objective)
-            score.value += weight.weight * run.figure(weight.figure);
+        if (!has_figures(run)) {
+            score.value.reset();
+            continue;
+        }
+        for (const Weight& weight : search.objective) {
+            if (score.value) *score.value += weight.weight * run.figure(weight.figure);
+        }
         for (const FigureLimit& limit : search.limits) score.violation += excess(limit, run);
         const double more = run.figure("process_findings") - start[i].figure("process_findings");
         if (has_figures(start[i]) && more > 0) score.violation += more;

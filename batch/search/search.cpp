@@ -23,7 +23,7 @@ using Variants = std::vector<std::vector<SettingValue>>;
 
 constexpr double kFirstStep = 0.2, kLaterStep = 0.3;  // of the box
 constexpr std::uint64_t kFirstOfDimension = 10;
-constexpr double kFirstShare = 0.4;  // of all, at most
+constexpr std::uint64_t kMostFirst = 200;
 
 std::string objective_text(const SearchPlan& search) {
     nlohmann::ordered_json text = nlohmann::ordered_json::object();
@@ -31,10 +31,10 @@ std::string objective_text(const SearchPlan& search) {
     return text.dump();
 }
 
-/// Points that are spread evenly: the design of a batch, with coordinates as settings.
+/// Points that are spread evenly: Sobol's sequence, of which more points begin with those that fewer have.
 std::vector<VectorXd> spread_points(std::size_t dimensions, std::uint64_t count, std::uint64_t seed) {
     const std::vector<Setting> coordinates(dimensions, Setting{{""}, Uniform{0, 1}});
-    const Design design(coordinates, {.sampling = Sampling::latin_hypercube, .runs = count, .seed = seed});
+    const Design design(coordinates, {.sampling = Sampling::sobol, .runs = count, .seed = seed});
     std::vector<VectorXd> points;
     for (std::uint64_t i = 0; i < count; ++i) {
         VectorXd& point = points.emplace_back(static_cast<Eigen::Index>(dimensions));
@@ -69,7 +69,7 @@ class BestSearch {
         Plan plan = search_.plan;
         plan.settings.clear();
         plan.design = {.sampling = Sampling::listed, .listed = variants};
-        const auto evaluated = evaluate_(plan);
+        const auto evaluated = evaluate_(plan, false);
         if (!evaluated) return Fault(evaluated.error());
         if (!evaluated->whole) return std::vector<std::size_t>();
         auto results = Database::open(results_);
@@ -87,7 +87,8 @@ class BestSearch {
             if (!begun) return Fault(begun.error());
             state_.search = *begun;
         }
-        if (const std::string missing = find_missing_figure(search_, runs); !missing.empty())
+        // What only the start lacks is a mistake of the plan; a variant without a figure is not allowed.
+        if (const std::string missing = is_start ? find_missing_figure(search_, runs) : ""; !missing.empty())
             return Fault(missing);
         std::vector<Score> scores;
         std::vector<TrialRow> rows;
@@ -100,6 +101,7 @@ class BestSearch {
             for (const RunFigures& run : trial.runs)
                 rows.push_back(
                     {state_.tried, run.run, state_.generation, trial.score.value, trial.score.violation});
+            if (!is_start) note_refusals(trial);
             take(std::move(trial), is_start);
         }
         if (const Done added = add_trials(results, state_.search, rows); !added) return Fault(added.error());
@@ -109,6 +111,15 @@ class BestSearch {
         std::stable_sort(places.begin(), places.end(),
                          [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
         return places;
+    }
+
+    /// A setting that no run can have is told early.
+    void note_refusals(const Trial& trial) {
+        for (const RunFigures& run : trial.runs) {
+            const bool refused = was_not_begun(run);
+            begun_ += refused ? 0 : 1;
+            if (refused && refused_.empty()) refused_ = fmt::format("{}: {}", run.program, run.message);
+        }
     }
 
     void take(Trial trial, bool is_start) {
@@ -141,16 +152,18 @@ class BestSearch {
 
     Done explore() {
         if (cut_off_) return {};
+        // Not by how many there are in all: a search with more of them goes on behind one with fewer.
         std::uint64_t count = search_.first;
-        if (count == 0)
-            count = std::min(kFirstOfDimension * space_.dimensions(),
-                             static_cast<std::uint64_t>(kFirstShare * static_cast<double>(search_.variants)));
-        count = std::clamp<std::uint64_t>(count, 1, left());
+        if (count == 0) count = std::min(kFirstOfDimension * space_.dimensions(), kMostFirst);
+        count = std::min(count, left());
         const std::vector<VectorXd> points = spread_points(space_.dimensions(), count, search_.seed);
         const auto places = try_all(variants_at(points));
         if (!places) return Fault(places.error());
         cut_off_ = places->empty();
-        if (!cut_off_) begin_at_ = points[places->front()];
+        if (cut_off_) return {};
+        if (!refused_.empty() && begun_ == 0)
+            return Fault(fmt::format("each of the {} first variants is refused: {}", count, refused_));
+        begin_at_ = points[places->front()];
         return {};
     }
 
@@ -198,6 +211,8 @@ class BestSearch {
     VectorXd begin_at_;
     SearchState state_;
     bool cut_off_ = false;
+    std::uint64_t begun_ = 0;  // runs of variants that were begun
+    std::string refused_;      // why the first one that was not is not
 };
 
 }  // namespace

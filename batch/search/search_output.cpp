@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "base/text/xml_text.h"
@@ -20,14 +20,23 @@ using nlohmann::ordered_json;
 
 constexpr double kWidth_px = 640, kHeight_px = 220, kLeft_px = 60, kFoot_px = 24;
 
-/// The sum of a figure over the runs of a trial, of those that have it; nothing: none has.
-std::optional<double> sum_of(const Trial& trial, std::string_view figure) {
-    std::optional<double> sum;
+/// How a figure of several runs is one: what is a way or a time adds up; of the others the worst counts.
+std::optional<double> figure_of(const Trial& trial, std::string_view figure) {
+    std::optional<double> all;
     for (const RunFigures& run : trial.runs) {
         const auto& value = run.figures.at(std::string(figure));
-        if (value) sum = sum.value_or(0) + *value;
+        if (!value) continue;
+        if (!all) {
+            all = value;
+        } else if (figure == "clearance_mm") {
+            all = std::min(*all, *value);
+        } else if (figure == "deviation_mm" || figure == "joint_speed_share") {
+            all = std::max(*all, *value);
+        } else {
+            *all += *value;
+        }
     }
-    return sum;
+    return all;
 }
 
 std::string shown(std::optional<double> value) {
@@ -64,13 +73,16 @@ std::string gain_text(const SearchState& state) {
                            faults_of(state.best));
     if (state.best_number == 0) return "nothing that was tried is better than the start\n";
     if (!state.start.score.is_allowed()) return fmt::format("the start fails: {}\n", faults_of(state.start));
-    const double gain = state.start.score.value - state.best.score.value;
-    return fmt::format("the objective is less by {:.6g} ({:.2f} %)\n", gain,
-                       100 * gain / std::max(std::abs(state.start.score.value), 1e-300));
+    const double start = state.start.score.value.value_or(0), best = state.best.score.value.value_or(0);
+    return fmt::format("the objective is less by {:.6g} ({:.2f} %)\n", start - best,
+                       100 * (start - best) / std::max(std::abs(start), 1e-300));
 }
 
 std::string command_line(const Job& job) {
-    return shell_line(run_command(told_of(job)).words);
+    const OpenCommand command = run_command(told_of(job));
+    if (command.left_out.empty()) return shell_line(command.words);
+    return fmt::format("{}   # without {}, which it has no word for", shell_line(command.words),
+                       fmt::join(command.left_out, ", "));
 }
 
 std::string proof_text(const std::optional<Proof>& proof) {
@@ -86,24 +98,26 @@ std::string proof_text(const std::optional<Proof>& proof) {
     return text;
 }
 
+ordered_json json_or_null(std::optional<double> value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
 ordered_json json_of(const Trial& trial) {
     ordered_json text{{"settings", settings_json(trial.settings)},
-                      {"value", trial.score.value},
+                      {"value", json_or_null(trial.score.value)},
                       {"violation", trial.score.violation},
                       {"runs", ordered_json::array()}};
     for (const RunFigures& run : trial.runs) {
         ordered_json& one = text["runs"].emplace_back(
             ordered_json{{"program", run.program}, {"status", run.status}, {"cause", run.cause}});
         if (!run.message.empty()) one["message"] = run.message;
-        for (const auto& [figure, value] : run.figures)
-            one[figure] = value ? ordered_json(*value) : ordered_json();
+        for (const auto& [figure, value] : run.figures) one[figure] = json_or_null(value);
     }
     return text;
 }
 
 ordered_json bound_json(const Proof::Bounded& bounded) {
-    return {{"value", bounded.value},
-            {"lower_bound_s", bounded.lower_bound_s ? ordered_json(*bounded.lower_bound_s) : ordered_json()}};
+    return {{"value", json_or_null(bounded.value)}, {"lower_bound_s", json_or_null(bounded.lower_bound_s)}};
 }
 
 struct Dot {
@@ -113,7 +127,8 @@ struct Dot {
 
 tl::expected<std::vector<Dot>, std::string> dots_of(Database& results, std::int64_t search) {
     auto rows = results.prepare(
-        "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? ORDER BY number");
+        "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? AND value IS NOT NULL "
+        "ORDER BY number");
     if (!rows) return tl::unexpected(rows.error());
     rows->bind(1, search);
     std::vector<Dot> dots;
@@ -181,7 +196,7 @@ std::string to_text(const SearchPlan& search, const SearchState& state, const st
     text += fmt::format("  {:<36}{:>14}{:>14}\n", "", "start", "best");
     text += row("objective", state.start.score.value, state.best.score.value);
     for (const std::string_view figure : kFigures) {
-        const auto start = sum_of(state.start, figure), best = sum_of(state.best, figure);
+        const auto start = figure_of(state.start, figure), best = figure_of(state.best, figure);
         if (shows(figure) && (start.value_or(0) != 0 || best.value_or(0) != 0))
             text += row(figure, start, best);
     }

@@ -15,6 +15,7 @@
 #include "batch/slurm/commands.h"
 #include "batch/slurm/shards.h"
 #include "batch/store/results.h"
+#include "batch/work/run_commands.h"
 
 namespace gsim::batch {
 
@@ -33,12 +34,6 @@ constexpr std::uint64_t kLeastNode_mb = 256;
 /// Of a task, beside its workers.
 constexpr std::uint64_t kOwn_mb = 128;
 
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 /// Goes through all jobs: those that were run before belong to the batch at once.
 tl::expected<Shards, std::string> find_todo(const Plan& plan, const ClusterOptions& options) {
     auto lock = os::FileLock::get(options.results, std::chrono::milliseconds(0));
@@ -56,7 +51,9 @@ tl::expected<Shards, std::string> find_todo(const Plan& plan, const ClusterOptio
     shards.token = results->token();
     for (std::uint64_t number = 0; number < jobs.size(); ++number) {
         const Job job = jobs.job(number);
-        const auto found = known.find(*results, known.key_of(job), job, options.retry);
+        using Found = tl::expected<std::optional<Results::FoundRun>, std::string>;
+        const Found found =
+            options.anew ? Found() : known.find(*results, known.key_of(job), job, options.retry);
         if (!found) return Fault(found.error());
         if (!*found) {
             shards.todo.push_back(number);
@@ -87,7 +84,8 @@ std::uint64_t memory_for(const ClusterOptions& options, const ClusterLimits& lim
 }
 
 Done write_script(const fs::path& file, const std::string& words) {
-    Done done = os::write_file(file, fmt::format("#!/bin/sh\nexec {} {}\n", quoted(own_program()), words));
+    Done done =
+        os::write_file(file, fmt::format("#!/bin/sh\nexec {} {}\n", shell_word(own_program()), words));
     std::error_code error;
     if (done) fs::permissions(file, fs::perms::owner_all, error);
     if (error) return Fault(fmt::format("'{}': {}", file.string(), error.message()));
@@ -99,7 +97,7 @@ Done write_folder(const fs::path& folder, const Plan& plan, const Shards& shards
     fs::remove_all(folder, error);
     fs::create_directories(folder, error);
     if (error) return Fault(fmt::format("'{}': {}", folder.string(), error.message()));
-    const std::string place = quoted(folder.string());
+    const std::string place = shell_word(folder.string());
     return write_plan_of(folder, plan)
         .and_then([&] { return write_shards(folder, shards); })
         .and_then([&] {

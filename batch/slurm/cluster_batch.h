@@ -22,6 +22,7 @@ struct ClusterOptions {
     std::optional<std::uint64_t> memory_mb =
         {};  ///< Of a worker; nothing: what a node has for each, 4096 at most.
     double timeout_s = 600;
+    bool anew = false;  ///< What is there already is run all the same.
     bool retry = false;
 };
 

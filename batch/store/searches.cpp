@@ -25,7 +25,8 @@ tl::expected<std::int64_t, std::string> begin_search(Database& results, const st
 
 SqlDone add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
     auto add = results.prepare(
-        "INSERT INTO search_run (search, number, run, generation, value, violation) VALUES (?, ?, ?, ?, ?, "
+        "INSERT OR IGNORE INTO search_run (search, number, run, generation, value, violation) VALUES (?, ?, "
+        "?, ?, ?, "
         "?)");
     if (!add) return Fault(add.error());
     if (auto begun = results.execute("BEGIN IMMEDIATE"); !begun) return begun;
@@ -34,7 +35,7 @@ SqlDone add_trials(Database& results, std::int64_t search, std::span<const Trial
             .bind(2, static_cast<std::int64_t>(row.number))
             .bind(3, row.run)
             .bind(4, static_cast<std::int64_t>(row.generation))
-            .bind(5, std::optional(row.value))
+            .bind(5, row.value)
             .bind(6, std::optional(row.violation));
         if (auto done = add->run(); !done) {
             static_cast<void>(results.execute("ROLLBACK"));

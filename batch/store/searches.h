@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,7 +16,8 @@ struct TrialRow {
     std::uint64_t number = 0;  ///< Within the search; 0: the start.
     std::int64_t run = 0;
     std::uint64_t generation = 0;
-    double value = 0, violation = 0;
+    std::optional<double> value = {};
+    double violation = 0;
 };
 
 /// Searches in a file of results that has its tables. Nothing else writes meanwhile.

@@ -67,13 +67,14 @@ tl::expected<FramePose, Failure> frame_of(engine::Machine& machine, const std::s
     return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
 }
 
-tl::expected<void, Failure> follow_frame(const JobRequest& request, engine::Machine& machine,
+tl::expected<void, Failure> follow_frame(const Job& job, const JobRequest& request, engine::Machine& machine,
                                          const engine::Host& as_it_is, engine::PathChanges& changes) {
     if (request.path_frame.empty()) return {};
     if (request.run.cell.empty()) return refused("the option 'path_frame' needs a cell");
     const auto put = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
     engine::Request before = request.run;
     before.host = as_it_is;
+    before.machine = job.machine;  // edits may have named what no file is
     return engine::Machine::read(before)
         .and_then([&](engine::Machine found) { return frame_of(found, request.path_frame); })
         .map(put(changes.from))
@@ -147,6 +148,11 @@ tl::expected<std::optional<std::string>, Failure> write_path(const Job& job, con
                                                              const engine::Host& as_it_is) {
     const std::vector<SettingValue> settings = settings_of(job.settings, kOfPath);
     if (!is_path(job.program)) {
+        if (!request.path_frame.empty())
+            return refused(
+                fmt::format("the option 'path_frame' is of paths (.path.json, .path.lua), and '{}' would "
+                            "not go along with '{}'",
+                            job.program, request.path_frame));
         if (settings.empty()) return std::nullopt;
         return refused(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
                                    settings.front().key, job.program));
@@ -157,7 +163,7 @@ tl::expected<std::optional<std::string>, Failure> write_path(const Job& job, con
     if (!machine) return tl::unexpected(machine.error());
     auto post = post_for(request, *machine);
     if (!post) return tl::unexpected(post.error());
-    if (auto done = follow_frame(request, *machine, as_it_is, *changes); !done)
+    if (auto done = follow_frame(job, request, *machine, as_it_is, *changes); !done)
         return tl::unexpected(done.error());
     engine::PathRequest path = request.path;
     path.path = job.program;

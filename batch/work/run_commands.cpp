@@ -51,15 +51,6 @@ constexpr std::array kSpellings{
     Spelling{"lower_bound", "--explain"},
 };
 
-std::string quoted_for_shell(std::string_view word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=+,@%-";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + '\'';
-}
-
 /// Not to be taken for an option.
 std::string file_word(const std::string& file) {
     return file.starts_with('-') ? "./" + file : file;
@@ -103,7 +94,6 @@ Gathered gathered_of(const RunTold& run, bool for_studio) {
         gathered.words.insert(gathered.words.end(), {"--machine", file_word(run.machine)});
         if (is_file_name(run.machine)) gathered.files.push_back(run.machine);
     }
-    if (is_path(run.program)) gathered.left_out.emplace_back("a path as its program");
     json options = json::parse(run.options, nullptr, false);
     if (!options.is_object()) options = json::object();
     const json settings = json::parse(run.settings, nullptr, false);
@@ -142,6 +132,7 @@ std::string folder_of_all(const std::vector<std::string>& files) {
 }  // namespace
 
 OpenCommand studio_command(const RunTold& run) {
+    if (is_path(run.program)) return {};
     Gathered gathered = gathered_of(run, true);
     const std::string folder = folder_of_all(gathered.files);
     if (folder.empty()) return {};
@@ -149,11 +140,13 @@ OpenCommand studio_command(const RunTold& run) {
 }
 
 OpenCommand view_command(const RunTold& run) {
+    if (is_path(run.program)) return {};
     return command_of({"gsim", "run", "--view", std::string(kViewFile)}, gathered_of(run, false),
                       {file_word(run.program)});
 }
 
 OpenCommand run_command(const RunTold& run) {
+    if (is_path(run.program)) return {};
     return command_of({"gsim", "run"}, gathered_of(run, false), {file_word(run.program)});
 }
 
@@ -161,9 +154,18 @@ RunTold told_of(const Job& job) {
     return {job.program, job.machine, job.options.dump(), settings_json(job.settings).dump()};
 }
 
+std::string shell_word(std::string_view word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=+,@%-";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + '\'';
+}
+
 std::string shell_line(const std::vector<std::string>& words) {
     std::string line;
-    for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted_for_shell(word);
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
     return line;
 }
 

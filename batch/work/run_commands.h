@@ -20,7 +20,8 @@ RunTold told_of(const Job& job);
 
 /// A command by which a run is seen, from where the batch was run.
 struct OpenCommand {
-    std::vector<std::string> words;     ///< None: there is no such command.
+    std::vector<std::string>
+        words;  ///< None: there is no such command, as for paths, which are written first.
     std::vector<std::string> left_out;  ///< Options and settings of the run that it has no words for.
 };
 
@@ -31,7 +32,9 @@ OpenCommand view_command(const RunTold& run);
 /// The run itself.
 OpenCommand run_command(const RunTold& run);
 
-/// A command as a shell reads it.
+/// A word as a shell reads it.
+std::string shell_word(std::string_view word);
+/// A command likewise.
 std::string shell_line(const std::vector<std::string>& words);
 
 }  // namespace gsim::batch

@@ -4,14 +4,24 @@
 
 #include <tl/expected.hpp>
 
+#include "codegen/post/post.h"
 #include "engine/path_translation.h"
 #include "runtime/machine/machine.h"
+#include "runtime/machine/machine_data.h"
 #include "runtime/path/place.h"
 
 namespace gsim::engine {
 
-/// Makes the changes of a request in a path that has been read. The error names the place in its file.
-tl::expected<void, std::string> change_path(path::PathFile& file, const machine::Machine& machine,
+/// Where the numbers of a path will be counted from.
+struct PathSite {
+    const machine::Machine& machine;
+    const machine::MachineData* data = nullptr;  ///< Null: work offsets are at the machine's zero.
+    const codegen::Post& post;
+};
+
+/// Makes the changes of a request in a path that has been read, and whose frames and points are complete. The
+/// error names the place in its file.
+tl::expected<void, std::string> change_path(path::PathFile& file, const PathSite& site,
                                             const PathChanges& changes);
 
 }  // namespace gsim::engine

@@ -101,10 +101,11 @@ class PathTranslation::State {
         if (auto completed = complete_frames(*path_, request_, post_); !completed)
             return tl::unexpected(fault_of_path(completed.error()));
         const PointTables tables{machine_.machine, machine_.data ? &*machine_.data : nullptr, data_name()};
-        if (auto changed = change_path(*path_, machine_.machine, request_.changes); !changed)
-            return tl::unexpected(fault_of_path(changed.error()));
         auto notes = complete_points(*path_, tables, post_);
         if (!notes) return tl::unexpected(fault_of_path(notes.error()));
+        const PathSite site{machine_.machine, machine_.data ? &*machine_.data : nullptr, post_};
+        if (auto changed = change_path(*path_, site, request_.changes); !changed)
+            return tl::unexpected(fault_of_path(changed.error()));
         auto program =
             PathProgram::plan(*path_, machine_.machine, post_, options_of(request_, path_->program));
         if (!program) return tl::unexpected(fault_of_path(program.error()));

@@ -103,11 +103,31 @@ TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
     EXPECT_THAT(runner.run(wheel_job({{"path.feed_mm_min", 0}})).message, HasSubstr("above 0"));
     EXPECT_THAT(runner.run(wheel_job({{"path.order", nlohmann::json::array({0U, 1U})}})).message,
                 HasSubstr("each of 0 to 2"));
+    Job program = job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift}});
+    program.program = GSIM_SOURCE "/samples/wheel.nc";
+    EXPECT_THAT(runner.run(program).message, HasSubstr("would not go along with 'wheel centre'"));
     Job klipper = wheel_job({});
     klipper.options["dialect"] = "klipper";
     EXPECT_THAT(runner.run(klipper).message, HasSubstr("option 'post'"));
     const RunRow framed = runner.run(wheel_job({}));
     EXPECT_EQ(framed.files.size(), 2U) << "the path and the machine";
+}
+
+// The machine that is built in has no file: its settings go with a frame all the same.
+TEST(PathJob, TheMachineThatIsBuiltInMayBeSet) {
+    const fs::path folder = fs::temp_directory_path() / ("gsim-built-in-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    std::ofstream(folder / "c.toml")
+        << "[cell]\nname = \"c\"\n[[frame]]\nname = \"f\"\nframe = { x_mm = 500.0, y_mm "
+           "= 500.0, z_mm = 52.0 }\n";
+    Job job = wheel_job({{"machine.axis.B.max_acceleration_deg_s2", 2, SettingUse::factor},
+                         {"cell.frame.f.frame.roll_deg", -45}});
+    job.machine.clear();
+    job.options = {{"cell", (folder / "c.toml").string()}, {"path_frame", "f"}, {"collisions", false}};
+    JobRunner runner;
+    const RunRow row = runner.run(job);
+    EXPECT_EQ(row.status, "completed") << row.message;
+    fs::remove_all(folder);
 }
 
 TEST(PathJob, FiguresThatAreAskedFor) {

@@ -188,6 +188,12 @@ TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
     EXPECT_THAT(with("keys = [\"machine.a\", \"machine.a\"]\nvalues = [1]\n"), HasSubstr("set twice"));
 }
 
+TEST_F(PlanFile, RefusesWhatOnlyPathsCanHave) {
+    for (const char* option : {"post = \"ab9\"", "path_frame = \"f\"", "rotary_as_given = true"})
+        EXPECT_THAT(refusal(std::string("programs = \"p\"\n[options]\n") + option + "\n"),
+                    HasSubstr("is of paths"));
+}
+
 TEST_F(PlanFile, TakesDistributions) {
     const auto plan = read(R"(programs = "p"
 [sampling]

@@ -53,7 +53,7 @@ class SearchFile : public testing::Test {
 
     /// Runs a batch as `row` says.
     Evaluate evaluate_by(std::function<RunRow(const Job&)> row) {
-        return [this, row = std::move(row)](const Plan& plan) -> tl::expected<Evaluated, std::string> {
+        return [this, row = std::move(row)](const Plan& plan, bool) -> tl::expected<Evaluated, std::string> {
             if (batches_left_-- == 0) return Evaluated{};
             auto results = Results::open(results_);
             EXPECT_TRUE(results->begin_batch(plan.name, Jobs(plan).size(), "v"));
@@ -105,17 +105,17 @@ TEST_F(SearchFile, FindsTheLeastOfABowl) {
     ASSERT_TRUE(plan) << plan.error();
     const auto state = search(*plan, bowl);
     ASSERT_TRUE(state) << state.error();
-    EXPECT_EQ(state->start.score.value, 27) << "with the settings that the files have";
-    EXPECT_NEAR(state->best.score.value, 10, 1e-3);
+    EXPECT_EQ(state->start.score.value.value(), 27) << "with the settings that the files have";
+    EXPECT_NEAR(state->best.score.value.value(), 10, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
     EXPECT_EQ(state->tried, 151U);
     EXPECT_EQ(evaluated_, 151) << "no more than was allowed, and the start";
     EXPECT_TRUE(state->whole);
     EXPECT_EQ(number("SELECT count(*) FROM evaluations"), 151);
-    EXPECT_EQ(number("SELECT min(value) FROM search_run"), state->best.score.value);
+    EXPECT_EQ(number("SELECT min(value) FROM search_run"), state->best.score.value.value());
     EXPECT_EQ(number("SELECT best FROM search"), static_cast<double>(state->best_number));
     EXPECT_EQ(number("SELECT cycle_time_s FROM evaluations WHERE number = (SELECT best FROM search)"),
-              state->best.score.value);
+              state->best.score.value.value());
 }
 
 TEST_F(SearchFile, TheSamePlanTriesTheSame) {
@@ -137,7 +137,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
     ASSERT_TRUE(state) << state.error();
     EXPECT_FALSE(state->whole);
     EXPECT_GT(state->tried, 20U);
-    EXPECT_LT(state->best.score.value, 27);
+    EXPECT_LT(state->best.score.value.value(), 27);
     batches_left_ = 0;
     EXPECT_EQ(search(*plan, bowl)->tried, 0U);
 }
@@ -160,7 +160,7 @@ TEST_F(SearchFile, KeepsToWhatIsAllowed) {
     const auto state = search(*plan, fenced);
     ASSERT_TRUE(state) << state.error();
     ASSERT_TRUE(state->best.score.is_allowed());
-    EXPECT_NEAR(state->best.score.value, 14, 0.05) << "at 1, -1";
+    EXPECT_NEAR(state->best.score.value.value(), 14, 0.05) << "at 1, -1";
     EXPECT_GE(state->best.settings[1].value.get<double>(), -1);
     EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE violation = 0"),
               static_cast<double>(state->allowed));
@@ -171,7 +171,7 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     const auto violation = [&](RunRow row) {
         Plan one = plan->plan;
         one.settings.clear();
-        const auto evaluated = evaluate_by([&](const Job&) { return row; })(one);
+        const auto evaluated = evaluate_by([&](const Job&) { return row; })(one, false);
         auto results = Database::open(results_);
         const auto runs = read_figures(*results, evaluated->batch, 1);
         const std::vector<RunFigures> start{{.status = "completed", .figures = {{"process_findings", 1}}}};
@@ -196,6 +196,65 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     EXPECT_LT(violation(early), violation(refused));
 }
 
+// A run that was not made has no figure, least of all a good one.
+TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
+    const auto plan = read(kPlan);
+    const auto state = search(*plan, [](const Job& job) {
+        RunRow row = bowl(job);
+        if (setting(job, 0) < 0) row.status = "refused";
+        return row;
+    });
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_NEAR(state->best.score.value.value(), 10, 1e-2);
+    EXPECT_GT(number("SELECT count(*) FROM search_run WHERE value IS NULL AND violation >= 1e9"), 0);
+    EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE value < 10"), 0);
+}
+
+TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
+    const auto plan = read(kPlan);
+    const auto state = search(*plan, [](const Job& job) {
+        RunRow row = bowl(job);
+        if (!job.settings.empty()) {
+            row.status = "refused";
+            row.message = "there is no 'Q'";
+        }
+        return row;
+    });
+    ASSERT_FALSE(state);
+    EXPECT_THAT(state.error(), HasSubstr("each of the 20 first variants is refused: "));
+    EXPECT_THAT(state.error(), HasSubstr("p.nc: there is no 'Q'"));
+    EXPECT_EQ(evaluated_, 21);
+}
+
+TEST_F(SearchFile, MoreVariantsGoOnBehindFewer) {
+    auto plan = read(kPlan);
+    std::vector<std::string> fewer, more;
+    for (auto* tried : {&fewer, &more}) {
+        plan->variants = tried == &fewer ? 33 : 80;
+        ASSERT_TRUE(search(*plan, [&](const Job& job) {
+            tried->push_back(settings_json(job.settings).dump());
+            return bowl(job);
+        }));
+    }
+    ASSERT_EQ(fewer.size(), 34U);
+    EXPECT_TRUE(std::equal(fewer.begin(), fewer.end(), more.begin()));
+    plan->variants = 7;
+    std::vector<std::string> few;
+    ASSERT_TRUE(search(*plan, [&](const Job& job) {
+        few.push_back(settings_json(job.settings).dump());
+        return bowl(job);
+    }));
+    EXPECT_TRUE(std::equal(few.begin(), few.end(), more.begin()));
+}
+
+TEST_F(SearchFile, AMachineMayBeNamedTwice) {
+    std::string text = kPlan;
+    text.replace(text.find("[\"m.toml\"]"), 10, "[\"m.toml\", \"m.toml\"]");
+    const auto state = search(*read(text), bowl);
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_NEAR(state->best.score.value.value(), 20, 1e-2);
+}
+
 TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     std::ofstream(folder_ / "q.nc") << "M2\n";
     std::string text = kPlan;
@@ -207,7 +266,7 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
         return clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
     });
     ASSERT_TRUE(state) << state.error();
-    EXPECT_NEAR(state->best.score.value, 4, 1e-3);
+    EXPECT_NEAR(state->best.score.value.value(), 4, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
     EXPECT_EQ(state->best.runs.size(), 2U);
     EXPECT_EQ(number("SELECT count(*) FROM search_run"), 302);
@@ -241,7 +300,7 @@ TEST_F(SearchFile, FindsAnOrder) {
         return clean(way);
     });
     ASSERT_TRUE(state) << state.error();
-    EXPECT_EQ(state->best.score.value, 4);
+    EXPECT_EQ(state->best.score.value.value(), 4);
     EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
 }
 
@@ -285,6 +344,12 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(refusal(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
                 HasSubstr("whole number"));
     EXPECT_THAT(refusal("objective = 1\n"), HasSubstr("programs"));
+    EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("draws its variants itself"));
+    EXPECT_THAT(refusal("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("takes one control"));
+    std::string many = text;
+    for (int i = 0; i < 7; ++i)
+        many += "[[setting]]\nkey = \"machine.s" + std::to_string(i) + "\"\nfrom = 1\nto = 2\nsteps = 31\n";
+    EXPECT_EQ(refusal(many), "") << "of which it tries 150";
     std::string speeds = text;
     speeds.replace(speeds.find("cycle_time_s"), 12, "joint_speed_share");
     EXPECT_EQ(read(speeds)->plan.options["joint_speeds"], true);

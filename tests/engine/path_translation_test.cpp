@@ -1,5 +1,10 @@
 #include "engine/path_translation.h"
 
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,6 +53,74 @@ TEST(PathTranslation, ItsProgramGoesTheWayOfThePath) {
     ASSERT_TRUE(run.prepare());
     const Report report = run.go().value();
     EXPECT_NEAR(report.feed_mm, 10, 1e-9);
+}
+
+std::string sample(const std::string& name) {
+    std::ifstream file(std::string(GSIM_SAMPLES "/") + name);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// The extents of X and Y in a run of a path's program.
+std::array<double, 4> extents_of(const std::string& program, const std::string& data) {
+    Request request = request_of("p.ngc", {{"p.ngc", program}, {"d.txt", data}});
+    request.machine = "router3.toml";
+    request.language.dialect = "rs274ngc";
+    request.host.files =
+        given({{"p.ngc", program}, {"d.txt", data}, {"router3.toml", sample("machines/router3.toml")}});
+    if (!data.empty()) request.machine_data = "d.txt";
+    Run run = Run::open(std::move(request)).value();
+    EXPECT_TRUE(run.prepare());
+    std::array<double, 4> extents{1e9, -1e9, 1e9, -1e9};
+    run.take_moves([&](std::span<const Move> moves) {
+        for (const Move& move : moves) {
+            if (move.kind != MoveKind::linear) continue;
+            for (const std::size_t axis : {0U, 1U}) {
+                extents[2 * axis] = std::min(extents[2 * axis], move.end[axis]);
+                extents[2 * axis + 1] = std::max(extents[2 * axis + 1], move.end[axis]);
+            }
+        }
+    });
+    EXPECT_TRUE(run.go().value().is_clean());
+    return extents;
+}
+
+// The numbers of a path are counted from its work offset, the frame that it goes along with is not.
+TEST(PathTranslation, APathIsPlacedWhereverItsNumbersAreCountedFrom) {
+    constexpr const char* kPoints =
+        "point{motion='rapid', position_mm={0, 0, -5}}, point{position_mm={0, 0, -10}, feed_mm_min=600},"
+        " point{position_mm={80, 0, -10}}, point{motion='rapid', position_mm={80, 0, -5}}}\n";
+    const std::string set = "return path{name='p', work_offset='G55', set_offset_mm={100, 50, -80}, ";
+    const std::string kept = "return path{name='p', work_offset='G55', ";
+    const std::string bare = "return path{name='p', ";
+    const std::string data = "NCFILE\nOFFSET\n54 100 50 -80\n55 100 50 -80\nENDFILE\n";
+    // From 100, 50 along X, turned about that place by 90 degrees: along Y.
+    const FramePose fixture{.origin_mm = {100, 50, -80}};
+    FramePose turned = fixture;
+    turned.rpy_deg[0] = 90;
+    for (const auto& [head, of_run] : {std::pair{set, std::string()}, {kept, data}, {bare, data}}) {
+        PathRequest request = request_of_path(
+            "p.lua",
+            {{"p.lua", head + kPoints}, {"d.txt", data}, {"router3.toml", sample("machines/router3.toml")}});
+        request.post = "rs274ngc";
+        request.machine = "router3.toml";
+        if (!of_run.empty()) request.machine_data = "d.txt";
+        const auto plain = program_of(request);
+        ASSERT_TRUE(plain) << plain.error().message;
+        const std::array<double, 4> before = extents_of(*plain, of_run);
+        EXPECT_NEAR(before[0], 100, 1e-6);
+        EXPECT_NEAR(before[1], 180, 1e-6);
+        request.changes.from = fixture;
+        request.changes.to = turned;
+        const auto program = program_of(request);
+        ASSERT_TRUE(program) << program.error().message;
+        const std::array<double, 4> behind = extents_of(*program, of_run);
+        EXPECT_NEAR(behind[0], 100, 1e-3) << head;
+        EXPECT_NEAR(behind[1], 100, 1e-3) << head;
+        EXPECT_NEAR(behind[2], 50, 1e-3) << head;
+        EXPECT_NEAR(behind[3], 130, 1e-3) << head;
+    }
 }
 
 TEST(PathTranslation, DecimalsAreThoseThatAreAskedFor) {

@@ -169,12 +169,46 @@ TEST(PathChanges, WhatCannotBePlacedIsSaid) {
     EXPECT_THAT(fault(bare), HasSubstr("rotary axes B stand"));
 }
 
+// The tool of a machine without rotary axes stands as it stands.
+TEST(PathChanges, WhatCannotLeanIsNotLeant) {
+    const machine::Machine router = read_sample("router3.toml");
+    const MachineSpace space = MachineSpace::make(router).value();
+    Point point;
+    point.position_mm = {10, 20, 30};
+    Program program{"p", {{"p", {point}}}, 0};
+    EXPECT_THAT(place(program, motion_of(0, 0, 0, 0, 0.2), space).error().sentence, HasSubstr("would lean"));
+    ASSERT_TRUE(place(program, motion_of(0, 0, 0, 1.5), space));
+    EXPECT_NEAR(std::get<Point>(program.paths[0].targets[0]).position_mm[2], 30, 1e-12);
+}
+
+// Where a reference point leaves the axes is not turned along with the path.
+TEST(PathChanges, BehindAPointOfTheMachineEachAxisIsNamed) {
+    const machine::Machine mill = read_sample("mill-table-table.toml");
+    const MachineSpace space = MachineSpace::make(mill).value();
+    Point whole, part;
+    whole.orientation = RotaryAxes{{'A', -30}, {'C', 20}};
+    part.orientation = RotaryAxes{{'A', -10}};
+    const MachinePoint home{.kind = MachinePoint::Kind::reference, .number = 1, .axes = {{'A', 0}, {'C', 0}}};
+    const auto placed = [&](std::vector<Target> targets) {
+        Program program{"p", {{"p", std::move(targets)}}, 0};
+        return place(program, motion_of(0, 0, 0, 0.7), space);
+    };
+    EXPECT_TRUE(placed({whole, part}));
+    EXPECT_THAT(placed({whole, home, part}).error().sentence, HasSubstr("rotary axes C stand"));
+    EXPECT_TRUE(placed({whole, home, whole}));
+}
+
 Point point_at(double x_mm, std::optional<double> feed_mm_min, bool turned = true) {
     Point point;
     point.position_mm = {x_mm, 0, 0};
     if (turned) point.orientation = ToolAxis{};
     point.feed_mm_min = feed_mm_min;
     return point;
+}
+
+tl::expected<void, Fault> put_in_order(Program& program, const std::vector<std::size_t>& order) {
+    static const machine::Machine gantry = read_sample("af5.toml");
+    return reorder(program, order, MachineSpace::make(gantry).value());
 }
 
 Program of_three(Path third) {
@@ -188,7 +222,7 @@ Program of_three(Path third) {
 
 TEST(PathChanges, TheOrderOfSubPathsChanges) {
     Program program = of_three({"c", {point_at(3, 300)}});
-    ASSERT_TRUE(reorder(program, std::vector<std::size_t>{2, 0, 1}, true));
+    ASSERT_TRUE(put_in_order(program, {2, 0, 1}));
     const auto& targets = program.paths[0].targets;
     EXPECT_EQ(std::get<SubPath>(targets[0]).path, 3U);
     EXPECT_EQ(std::get<SubPath>(targets[1]).path, 1U);
@@ -200,7 +234,7 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     const std::vector<std::size_t> order{2, 0, 1};
     const auto fault = [&](Path third) {
         Program program = of_three(std::move(third));
-        return reorder(program, order, true).error().sentence;
+        return put_in_order(program, order).error().sentence;
     };
     EXPECT_THAT(fault({"c", {point_at(3, std::nullopt)}}), HasSubstr("'c' should have a feed"));
     EXPECT_THAT(fault({"c", {point_at(3, 300, false)}}), HasSubstr("orientation of its own"));
@@ -211,15 +245,30 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     on.actions = {"waterjet_on"};
     EXPECT_THAT(fault({"c", {on}}), HasSubstr("something else running"));
     Program program = of_three({"c", {point_at(3, 300)}});
-    EXPECT_THAT(reorder(program, std::vector<std::size_t>{0, 0, 1}, true).error().sentence,
-                HasSubstr("each of 0 to 2 once"));
+    EXPECT_THAT(put_in_order(program, {0, 0, 1}).error().sentence, HasSubstr("each of 0 to 2 once"));
+    // Half of an orientation is taken over, too; and what nobody compares may hold on.
+    Point half = point_at(3, 300);
+    half.orientation = RotaryAxes{{'C', 0}};
+    EXPECT_THAT(fault({"c", {half}}), HasSubstr("all rotary axes"));
+    for (const char* action : {"path_mode exact_path", "digital_output P3 on", "ramps linear"}) {
+        Point mode = point_at(3, 300);
+        mode.actions = {action};
+        EXPECT_THAT(fault({"c", {mode}}), HasSubstr("may hold on")) << action;
+    }
+    Point turning = point_at(3, 300);
+    turning.feed_deg_min = 100;
+    EXPECT_THAT(fault({"c", {turning}}), HasSubstr("rotary axes holds on"));
+    Point told = point_at(3, 300);
+    told.actions = {"message done", "waterjet_on", "waterjet_off"};
+    Program fine = of_three({"c", {told}});
+    EXPECT_TRUE(put_in_order(fine, order));
 }
 
 TEST(PathChanges, AnyOrderOfTheWheelIsOneThatCanBeRun) {
     std::vector<std::size_t> order{0, 1, 2};
     do {
         Program program = wheel();
-        const auto done = reorder(program, order, true);
+        const auto done = put_in_order(program, order);
         EXPECT_TRUE(done) << done.error().sentence;
     } while (std::next_permutation(order.begin(), order.end()));
 }
@@ -233,8 +282,30 @@ TEST(PathChanges, FeedsAreSetOrMultiplied) {
     ASSERT_TRUE(change_feeds(program, {.path = "b", .value = 77, .is_factor = false}));
     EXPECT_EQ(std::get<Point>(program.paths[2].targets[0]).feed_mm_min, 77);
     EXPECT_EQ(std::get<Point>(program.paths[1].targets[0]).feed_mm_min, 50);
+    Program turned = of_three({"c", {point_at(3, 300)}});
+    std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev = 0.1;
+    ASSERT_TRUE(change_feeds(turned, {.path = "c", .value = 3000, .is_factor = false}));
+    EXPECT_NEAR(*std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev, 1.0, 1e-12) << "at the same turns";
     EXPECT_THAT(change_feeds(program, {.path = "bb", .value = 1}).error(), HasSubstr("did you mean 'b'?"));
     EXPECT_THAT(change_feeds(program, {.path = "root", .value = 1}).error(), HasSubstr("no point of 'root'"));
+}
+
+TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
+    const FeedChange change{.path = "b", .value = 2};
+    Program takes = of_three({"c", {point_at(3, std::nullopt)}});
+    EXPECT_THAT(change_feeds(takes, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_EQ(std::get<Point>(takes.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
+    ASSERT_TRUE(change_feeds(takes, {.path = "a", .value = 2})) << "b has its own, and hands that over";
+    // Behind a sub-path, in the path that uses it.
+    Program behind = of_three({"c", {point_at(3, 300)}});
+    behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
+    EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));
+    // The second time round.
+    Program again = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
+    again.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
+    EXPECT_THAT(change_feeds(again, change).error(), HasSubstr("'c' takes one over"));
+    again.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
+    EXPECT_TRUE(change_feeds(again, change));
 }
 
 }  // namespace

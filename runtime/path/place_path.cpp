@@ -1,17 +1,13 @@
-#include "runtime/path/changes.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "base/text/nearest_name.h"
 #include "base/units.h"
 #include "runtime/kinematics/pose.h"
 #include "runtime/path/arc_shape.h"
-#include "runtime/path/states.h"
+#include "runtime/path/changes.h"
 
 namespace gsim::path {
 
@@ -60,6 +56,15 @@ class TurningAxis {
     TurningAxis(char its_letter, double its_angle_deg) : letter(its_letter), by_deg(its_angle_deg) {}
 };
 
+bool has_machine_points(const Program& program) {
+    for (const Path& path : program.paths) {
+        for (const Target& target : path.targets) {
+            if (std::holds_alternative<MachinePoint>(target)) return true;
+        }
+    }
+    return false;
+}
+
 class Placing {
   public:
     Placing(Program& program, const rrs::CartPos& motion, const MachineSpace& space)
@@ -67,16 +72,21 @@ class Placing {
           motion_(motion),
           space_(space),
           turns_(!motion.linear().isIdentity(kSameAxis)),
+          has_machine_points_(has_machine_points(program)),
           axis_(turns_ ? TurningAxis::find(space, motion.linear()) : std::nullopt) {}
 
     tl::expected<void, Fault> run() {
-        if (auto fault = fault_of_frames()) return Refused(*std::move(fault));
+        if (auto fault = fault_of_all()) return Refused(*std::move(fault));
         for (std::size_t path = 0; path < program_.paths.size(); ++path) {
             std::vector<Target>& targets = program_.paths[path].targets;
             bool knows_axis = false;
             for (std::size_t i = 0; i < targets.size(); ++i) {
                 auto* point = std::get_if<Point>(&targets[i]);
-                if (point == nullptr) continue;
+                // Fixed and reference points stay, and so does where they leave the axes.
+                if (point == nullptr) {
+                    knows_axis = knows_axis && !has_machine_points_;
+                    continue;
+                }
                 if (auto fault = turn(*point, knows_axis))
                     return Refused(Fault{{path, i}, *std::move(fault)});
                 move(*point);
@@ -86,11 +96,15 @@ class Placing {
     }
 
   private:
-    std::optional<Fault> fault_of_frames() const {
+    std::optional<Fault> fault_of_all() const {
         const auto fault = [&](const char* why) {
             return Fault{{program_.root, std::nullopt}, fmt::format("the path cannot be placed: {}", why)};
         };
         if (program_.is_recorded()) return fault("it was recorded, and is where the run was");
+        const Vector3d upright = space_.tool_axis(space_.home());
+        if (space_.rotary_count() == 0 && (motion_.linear() * upright - upright).norm() > kSameAxis)
+            return fault(
+                "it would lean, and the machine has no rotary axis that leans its tool or its table");
         const WorkFrame& own = program_.paths[program_.root].frame;
         const auto is_own = [&](const WorkFrame& frame) {
             return frame.touches.empty() && (frame.name.empty() || frame.name == own.name);
@@ -173,150 +187,15 @@ class Placing {
     const rrs::CartPos& motion_;
     const MachineSpace& space_;
     bool turns_;
+    bool has_machine_points_;
     std::optional<TurningAxis> axis_;
 };
-
-/// The first point of a path and of those that it begins with; null: it begins with no point.
-const Point* first_point(const Program& program, std::size_t path) {
-    const std::vector<Target>& targets = program.paths[path].targets;
-    if (targets.empty()) return nullptr;
-    if (const auto* use = std::get_if<SubPath>(&targets.front())) return first_point(program, use->path);
-    return std::get_if<Point>(&targets.front());
-}
-
-/// Whether a path says itself what feed its first cut has.
-bool has_own_feed(const Program& program, std::size_t path, bool& known) {
-    for (const Target& target : program.paths[path].targets) {
-        if (const auto* use = std::get_if<SubPath>(&target)) {
-            if (!has_own_feed(program, use->path, known)) return false;
-        } else if (const auto* point = std::get_if<Point>(&target)) {
-            known = known || point->feed_mm_min || point->feed_deg_min;
-            const bool cuts = point->motion == MotionType::linear || point->motion == MotionType::circular;
-            if (cuts && !known && !point->duration_s) return false;
-        }
-        if (known) return true;
-    }
-    return true;
-}
-
-bool names_acceleration(const Program& program) {
-    for (const Path& path : program.paths) {
-        for (const Target& target : path.targets) {
-            const auto* point = std::get_if<Point>(&target);
-            if (point != nullptr && point->acceleration_mm_s2) return true;
-        }
-    }
-    return false;
-}
-
-/// Whether the same runs: what was never turned on is off.
-bool runs_alike(const Inherited<std::string>& one, const Inherited<std::string>& other) {
-    const auto is_off = [](const Inherited<std::string>& each) {
-        return !each.differs() && (!each.value() || each.value()->ends_with("_off"));
-    };
-    return one == other || (is_off(one) && is_off(other));
-}
-
-bool runs_alike(const Running& one, const Running& other) {
-    const bool spindle = runs_alike(one.spindle, other.spindle);
-    const bool stands = spindle && runs_alike(one.spindle, Inherited<std::string>());
-    return spindle && (stands || one.speed == other.speed) && runs_alike(one.flood, other.flood) &&
-           runs_alike(one.mist, other.mist);
-}
-
-/// What a sub-path takes over, but for where the tool stands and how fast it goes.
-bool begins_alike(const State& one, const State& other) {
-    return one.jet_on == other.jet_on && one.abrasive_on == other.abrasive_on &&
-           runs_alike(one.running, other.running) && one.frame == other.frame && one.tool == other.tool &&
-           one.work_offset == other.work_offset && one.at_machine_point == other.at_machine_point;
-}
-
-/// Why a target of the root cannot stand elsewhere.
-std::optional<std::string> fault_of_moving(const Program& program, const Target& target,
-                                           bool needs_orientation) {
-    const auto* use = std::get_if<SubPath>(&target);
-    if (use == nullptr) return "what is put in another order must be sub-paths";
-    const std::string& name = program.paths[use->path].name;
-    const Point* first = first_point(program, use->path);
-    if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
-        return fmt::format("the sub-path '{}' should begin with a straight motion or a rapid", name);
-    if (needs_orientation && !first->orientation)
-        return fmt::format("the first point of the sub-path '{}' should have an orientation of its own",
-                           name);
-    bool known = false;
-    if (!has_own_feed(program, use->path, known))
-        return fmt::format("the sub-path '{}' should have a feed of its own before it cuts", name);
-    return std::nullopt;
-}
-
-std::size_t change_feeds(Path& path, const FeedChange& change) {
-    std::size_t changed = 0;
-    for (Target& target : path.targets) {
-        auto* point = std::get_if<Point>(&target);
-        if (point == nullptr || !point->feed_mm_min) continue;
-        *point->feed_mm_min = change.is_factor ? *point->feed_mm_min * change.value : change.value;
-        ++changed;
-    }
-    return changed;
-}
 
 }  // namespace
 
 tl::expected<void, Fault> place(Program& program, const rrs::CartPos& motion, const MachineSpace& space) {
     if (motion.isApprox(rrs::CartPos::Identity(), 0)) return {};
     return Placing(program, motion, space).run();
-}
-
-tl::expected<void, Fault> reorder(Program& program, std::span<const std::size_t> order,
-                                  bool needs_orientation) {
-    const std::vector<Target> targets = program.paths[program.root].targets;
-    const auto refused = [&](std::optional<std::size_t> target, std::string why) {
-        return Refused(Fault{{program.root, target}, std::move(why)});
-    };
-    std::vector<std::size_t> all(targets.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    if (!std::is_permutation(order.begin(), order.end(), all.begin(), all.end()))
-        return refused(std::nullopt,
-                       fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
-    for (const std::size_t i : all) {
-        if (auto fault = fault_of_moving(program, targets[i], needs_orientation)) return refused(i, *fault);
-    }
-    if (names_acceleration(program))
-        return refused(std::nullopt, "a path that says accelerations has an order that counts");
-    const States before(program);
-    Program changed = program;
-    for (std::size_t i = 0; i < order.size(); ++i) changed.paths[program.root].targets[i] = targets[order[i]];
-    const States behind(changed);
-    for (const std::size_t i : all) {
-        const std::size_t path = std::get<SubPath>(targets[i]).path;
-        if (!begins_alike(before.entry(path), behind.entry(path)))
-            return refused(i, fmt::format("the sub-path '{}' begins with something else running there",
-                                          program.paths[path].name));
-    }
-    program = std::move(changed);
-    return {};
-}
-
-tl::expected<void, std::string> change_feeds(Program& program, const FeedChange& change) {
-    std::size_t changed = 0;
-    bool found = change.path.empty();
-    std::vector<std::string_view> names;
-    for (Path& path : program.paths) {
-        names.emplace_back(path.name);
-        if (!change.path.empty() && path.name != change.path) continue;
-        found = true;
-        changed += change_feeds(path, change);
-    }
-    if (!found) {
-        const auto nearest = text::nearest_name(change.path, names);
-        return tl::unexpected(fmt::format("there is no path '{}'{}", change.path,
-                                          nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""));
-    }
-    if (changed == 0) {
-        return tl::unexpected(change.path.empty() ? std::string("no point of the path has a feed")
-                                                  : fmt::format("no point of '{}' has a feed", change.path));
-    }
-    return {};
 }
 
 }  // namespace gsim::path
