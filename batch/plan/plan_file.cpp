@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 11> kPlanKeys{"programs",  "machines", "c
                                                      "objective", "limit",    "search"};
 constexpr std::array<std::string_view, 3> kSamplingKeys{"kind", "runs", "seed"};
 constexpr std::array<std::string_view, 4> kSamplings{"grid", "random", "latin-hypercube", "sobol"};
+constexpr std::array kSamplingOf{Sampling::grid, Sampling::random, Sampling::latin_hypercube,
+                                 Sampling::sobol};
 constexpr std::uint64_t kMostRuns = 100'000'000;
 
 class PlanReader {
@@ -125,7 +127,7 @@ class PlanReader {
     }
 
     void read_sampling(TomlSection& section) {
-        plan_.design.sampling = static_cast<Sampling>(section.choice("kind", 0, kSamplings));
+        plan_.design.sampling = kSamplingOf[section.choice("kind", 0, kSamplings)];
         plan_.design.seed = whole_number(section, "seed", 1, kMostRuns, 1);
         if (plan_.design.sampling == Sampling::grid) {
             if (section.has("runs"))

@@ -188,6 +188,18 @@ TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
     EXPECT_THAT(with("keys = [\"machine.a\", \"machine.a\"]\nvalues = [1]\n"), HasSubstr("set twice"));
 }
 
+TEST_F(PlanFile, EachKindOfSamplingIsItself) {
+    for (const auto& [name, sampling] : {std::pair{"random", Sampling::random},
+                                         {"latin-hypercube", Sampling::latin_hypercube},
+                                         {"sobol", Sampling::sobol}}) {
+        const auto plan = read(std::string("programs = \"p/a.nc\"\n[sampling]\nkind = \"") + name +
+                               "\"\nruns = 7\n[[setting]]\nkey = \"machine.a\"\nfrom = 0\nto = 1\n");
+        ASSERT_TRUE(plan) << plan.error();
+        EXPECT_EQ(plan->design.sampling, sampling) << name;
+        EXPECT_EQ(Jobs(*plan).size(), 7U) << name;
+    }
+}
+
 TEST_F(PlanFile, RefusesWhatOnlyPathsCanHave) {
     for (const char* option : {"post = \"ab9\"", "path_frame = \"f\"", "rotary_as_given = true"})
         EXPECT_THAT(refusal(std::string("programs = \"p\"\n[options]\n") + option + "\n"),

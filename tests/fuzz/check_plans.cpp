@@ -1,5 +1,7 @@
 #include "batch/plan/plan.h"
 #include "batch/plan/plan_json.h"
+#include "batch/search/search_plan.h"
+#include "batch/search/space.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 
@@ -17,10 +19,28 @@ std::optional<std::string> fault_of_job(const batch::Job& job) {
     return std::nullopt;
 }
 
+/// What the search of a plan comes to, where it has one.
+Outcome check_search(std::string_view toml, const std::string& file) {
+    const auto search = batch::read_search(toml, file);
+    if (!search) return refused_with(search.error(), file);
+    const batch::Space space(search->plan.settings);
+    if (space.dimensions() == 0 || search->objective.empty()) return broken("a search for nothing");
+    for (const double place : {0.0, 0.5, 1.0}) {
+        const auto count = static_cast<Eigen::Index>(space.dimensions());
+        const batch::Job job{.program = "p",
+                             .machine = "",
+                             .options = nlohmann::json::object(),
+                             .settings = space.variant(Eigen::VectorXd::Constant(count, place))};
+        if (auto fault = fault_of_job(job)) return broken(*std::move(fault));
+    }
+    return accepted();
+}
+
 }  // namespace
 
 Outcome check_batch_plan(std::string_view toml) {
     const std::string file = name_beside(".toml");
+    if (Outcome search = check_search(toml, file); search.broken) return search;
     const auto plan = batch::read_plan(toml, file);
     if (!plan) return refused_with(plan.error(), file);
     const auto handed = batch::read_plan_json(batch::print_plan_json(*plan));
