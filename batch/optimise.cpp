@@ -190,7 +190,7 @@ Done write_found(const OptimiseArguments& a, const SearchPlan& search, const Sea
                  const std::optional<Proof>& proof) {
     const bool prints = a.json == os::kStandardStream || a.page == os::kStandardStream;
     if (!prints) apps::print(to_text(search, state, proof));
-    if (const Done done = write_to(a.json, to_json(search, state, proof)); !done) return done;
+    if (Done done = write_to(a.json, to_json(search, state, proof)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
     if (!results) return Fault(results.error());
@@ -215,8 +215,11 @@ int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchS
     std::string why_unproven;
     if (state.whole && state.best.score.is_allowed()) {
         auto proven = prove(search, state, a.results, a.best, evaluate);
-        if (proven) proof = *std::move(proven);
-        if (!proven) why_unproven = proven.error();
+        if (!proven) {
+            why_unproven = proven.error();
+        } else {
+            proof = *std::move(proven);
+        }
     }
     if (const Done done = write_found(a, search, state, proof); !done) return refuse_search(done.error());
     if (!why_unproven.empty()) fmt::print(stderr, "{}: not proven: {}\n", kOptimise, why_unproven);

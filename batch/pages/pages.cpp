@@ -122,7 +122,7 @@ Done write_pages(Database& results, const PagesOptions& options) {
     // writes is to wait for pages.
     if (auto begun = results.execute("BEGIN"); !begun) return begun;
     const auto night = read_night(results, options.since);
-    const auto ended = results.execute("COMMIT");
+    auto ended = results.execute("COMMIT");
     if (!night) return Fault(night.error());
     if (!ended) return ended;
     auto book = RunBook::open(results);

@@ -173,7 +173,7 @@ class BestSearch {
         for (std::size_t population = search_.population; !cut_off_ && left() > 0;) {
             Evolution evolution(mean, step, population, Random(random_()));
             while (!cut_off_ && left() > 0 && !evolution.is_done()) {
-                if (const Done done = evolve_once(evolution); !done) return done;
+                if (Done done = evolve_once(evolution); !done) return done;
             }
             population = 2 * evolution.population();
             for (double& each : mean) each = lot(random_);
