@@ -123,6 +123,13 @@ batch() {
     (cd "$scratch" && for _ in 1 2; do bare "$bin/gsim-batch" --machine af5-measured --no-collisions "$samples/wheel.nc" || return; done)
 }
 check 'gsim-batch --version' '^gsim-batch [0-9]' bare "$bin/gsim-batch" --version
+search_by_name() {
+    (cd "$scratch" && bare "$bin/gsim-optimise" "$samples/batch/wheel-placement.toml" --variants 5 --seed 4 --best best -q && bare "$bin/gsim-run" --quiet --machine af5-measured --cell best/wheel.cell.toml best/wheel.nc && echo "run again")
+}
+check 'a search, and what it has written' 'run again' search_by_name
+check 'gsim-optimise --version' '^gsim-optimise [0-9]' bare "$bin/gsim-optimise" --version
+check 'gsim-optimise(1)' present present "$share/man/man1/gsim-optimise.1"
+check 'completion of gsim-optimise' present present "$share/bash-completion/completions/gsim-optimise"
 check 'gsim-batch(1)' present present "$share/man/man1/gsim-batch.1"
 check 'many runs' '0 run in .* 1 there already; 0 failed' batch
 check 'completion for zsh' present present "$share"/zsh/*/_gsim
