@@ -184,7 +184,10 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
 // On the thesis's gantry: the plate with its clamps and the program are put where the rotary axes' limits
 // cost least, and nothing comes nearer than the cell asks for.
 TEST_F(OptimiseProgram, PlacesTheWheel) {
-    const Ended ended = optimise({std::string(kSamples) + "/batch/wheel-placement.toml", "--variants", "60",
+#ifdef GSIM_SANITIZED
+    GTEST_SKIP() << "bodies are looked at ten times as long there";
+#endif
+    const Ended ended = optimise({std::string(kSamples) + "/batch/wheel-placement.toml", "--variants", "36",
                                   "--seed", "2", "--json", "found.json", "--best", "best"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     const double start_s = found()["start"]["value"], best_s = found()["best"]["value"];
