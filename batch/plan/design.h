@@ -15,7 +15,7 @@ enum class Sampling : std::uint8_t {
     random,           ///< Each by lot.
     latin_hypercube,  ///< By lot, but each setting has one value in each of as many equal parts as there are
                       ///< runs.
-    sobol,  ///< The sequence of Sobol: even in all dimensions, the first of them as good as few can be.
+    sobol,   ///< The sequence of Sobol: even in all dimensions, the first of them as good as few can be.
     listed,  ///< Those that DesignOptions has; no plan file says so.
 };
 
