@@ -54,31 +54,14 @@ void add_options(apps::CommandLine& line, Arguments& a) {
         .called("BATCH");
     line.add("-q,--quiet", &a.quiet, "no word on the way, no summary");
     line.begin_group("How it is run");
-    line.add("-j,--workers", &a.workers, "processes that run programs at once")
-        .within(1, 4096)
-        .shows_default();
-    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
-        .called("MB")
-        .within(64, 1'000'000)
-        .shows("4096; on a cluster no more than its nodes have");
-    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
-        .called("SECONDS")
-        .within(0.01, 1e6)
-        .shows_default();
-    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    add_worker_options(line, a);
     line.begin_group("On a cluster (Slurm)");
-    line.add("--slurm", &a.slurm,
-             "submit it: an array of tasks, each with a part of the runs in a file of its own beside the "
-             "results, and a "
-             "job that puts all together; what was lost of a batch before is all that the same command "
-             "submits again");
-    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
-    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
-    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
-        .within(1, 1024)
-        .shows_default();
-    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
-        .called("MINUTES");
+    add_cluster_options(
+        line, a,
+        "submit it: an array of tasks, each with a part of the runs in a file of its own beside the "
+        "results, and a "
+        "job that puts all together; what was lost of a batch before is all that the same command "
+        "submits again");
     line.add("--wait", &a.wait, "stay until all is put together");
     line.add("--status", &a.status, "tell how far the batch is");
     line.add("--cancel", &a.cancel, "end its tasks; what they have done is kept");

@@ -32,6 +32,7 @@
 #include "batch/store/outputs.h"
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
+#include "batch/write_text.h"
 #include "engine/system/picture.h"
 
 namespace gsim::batch {
@@ -132,14 +133,8 @@ Done write_statistics(const Arguments& arguments, Database& results) {
         for (const Study& study : *studies) apps::print(to_text(study));
         for (const Comparison& comparison : *comparisons) apps::print(to_text(comparison));
     }
-    const auto write = [](const std::string& file, const std::string& text) -> Done {
-        if (file.empty()) return {};
-        if (file != os::kStandardStream) return os::write_file(file, text);
-        apps::print(text);
-        return {};
-    };
-    return write(arguments.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
-        return write(arguments.page, to_html(*studies, *comparisons));
+    return write_text(arguments.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
+        return write_text(arguments.page, to_html(*studies, *comparisons));
     });
 }
 
@@ -182,25 +177,15 @@ int refuse(const std::string& why) {
     return apps::kUsage;
 }
 
-std::uint64_t memory_mb_of(const Arguments& arguments) {
-    return static_cast<std::uint64_t>(arguments.memory_mb.value_or(4096));
-}
-
 int run_plan(const Arguments& arguments) {
     if (const std::string why = why_not_here(arguments.results); !why.empty()) return refuse(why);
     const auto plan = plan_of(arguments);
     if (!plan) return refuse(plan.error());
     stop_on_signals();
     const bool shows = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
-    const auto tally = run_batch(*plan,
-                                 {.results = arguments.results,
-                                  .workers = arguments.workers,
-                                  .memory_mb = memory_mb_of(arguments),
-                                  .timeout_s = arguments.timeout_s,
-                                  .retry = arguments.retry},
-                                 stop_flag(), [&](const BatchTally& now) {
-                                     if (shows) show_progress(now);
-                                 });
+    const auto tally = run_batch(*plan, arguments.batch_options(), stop_flag(), [&](const BatchTally& now) {
+        if (shows) show_progress(now);
+    });
     if (shows) fmt::print(stderr, "\n");
     if (!tally) return refuse(tally.error());
     if (!arguments.quiet)
@@ -235,15 +220,7 @@ bool has_failed(const std::string& file) {
 int submit_plan(const Arguments& arguments) {
     const auto plan = plan_of(arguments);
     if (!plan) return refuse(plan.error());
-    ClusterOptions options{.results = arguments.results,
-                           .partition = arguments.partition,
-                           .shard_runs = arguments.shard_runs,
-                           .workers = arguments.task_workers,
-                           .time_limit_min = arguments.time_limit_min,
-                           .timeout_s = arguments.timeout_s,
-                           .retry = arguments.retry};
-    if (arguments.memory_mb) options.memory_mb = memory_mb_of(arguments);
-    auto state = submit(*plan, options);
+    auto state = submit(*plan, arguments.cluster_options());
     if (!state) return refuse(state.error());
     if (state->shards > 0) {
         if (!arguments.wait) return told(state);

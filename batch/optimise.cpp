@@ -2,12 +2,10 @@
 
 #include "batch/optimise.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,14 +18,13 @@
 #include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
-#include "batch/run/batch_run.h"
+#include "batch/run_arguments.h"
 #include "batch/search/proof.h"
 #include "batch/search/search.h"
 #include "batch/search/search_output.h"
-#include "batch/slurm/cluster_batch.h"
 #include "batch/slurm/waiting.h"
 #include "batch/stopping.h"
-#include "batch/store/results.h"
+#include "batch/write_text.h"
 
 namespace gsim::batch {
 
@@ -39,19 +36,16 @@ using Fault = tl::unexpected<std::string>;
 // Others may use the same results beside a search of hours.
 constexpr std::chrono::milliseconds kLockWait(600'000);
 
-struct OptimiseArguments {
+struct OptimiseArguments : RunArguments {
+    OptimiseArguments() {
+        results = "gsim-optimise.sqlite";
+        shard_runs = 10;  // as few are tried at once
+    }
+
     std::string plan;
-    std::string results = "gsim-optimise.sqlite";
     std::string best, json, page;
     std::uint64_t variants = 0, seed = 0;
-    std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
-    std::optional<double> memory_mb;
-    double timeout_s = 600;
-    bool retry = false;
     bool overwrite = false;
-    bool slurm = false;
-    std::string partition;
-    std::uint64_t shard_runs = 10, task_workers = 1, time_limit_min = 0;
     bool quiet = false;
 };
 
@@ -78,28 +72,11 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
         .within(0, 10'000'000);
     line.add("--seed", &a.seed, "of what is drawn by lot; 0: as the plan says").within(0, 10'000'000);
     line.begin_group("Here");
-    line.add("-j,--workers", &a.workers, "processes that run programs at once")
-        .within(1, 4096)
-        .shows_default();
-    line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
-        .called("MB")
-        .within(64, 1'000'000)
-        .shows("4096; on a cluster no more than its nodes have");
-    line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
-        .called("SECONDS")
-        .within(0.01, 1e6)
-        .shows_default();
-    line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
+    add_worker_options(line, a);
     line.begin_group("On a cluster (Slurm)");
-    line.add("--slurm", &a.slurm,
-             "submit the variants that are tried at once as an array, wait until it is gathered, and go on");
-    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
-    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
-    line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
-        .within(1, 1024)
-        .shows_default();
-    line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
-        .called("MINUTES");
+    add_cluster_options(
+        line, a,
+        "submit the variants that are tried at once as an array, wait until it is gathered, and go on");
     line.add_example("gsim-optimise place.toml --best best --page place.html", "the best, with its files");
     line.add_example("gsim-optimise place.toml --variants 1000", "the same search goes on");
     line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all that was tried");
@@ -121,30 +98,12 @@ tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
 }
 
 tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, const Plan& plan, bool anew) {
-    return run_batch(plan,
-                     {.results = a.results,
-                      .workers = a.workers,
-                      .memory_mb = static_cast<std::uint64_t>(a.memory_mb.value_or(4096)),
-                      .timeout_s = a.timeout_s,
-                      .anew = anew,
-                      .lock_wait = kLockWait,
-                      .retry = a.retry},
-                     stop_flag(), [](const BatchTally&) {})
-        .map([](const BatchTally& tally) {
-            return Evaluated{tally.batch, tally.whole};
-        });
-}
-
-ClusterOptions cluster_options(const OptimiseArguments& a) {
-    ClusterOptions options{.results = a.results,
-                           .partition = a.partition,
-                           .shard_runs = a.shard_runs,
-                           .workers = a.task_workers,
-                           .time_limit_min = a.time_limit_min,
-                           .timeout_s = a.timeout_s,
-                           .retry = a.retry};
-    if (a.memory_mb) options.memory_mb = static_cast<std::uint64_t>(*a.memory_mb);
-    return options;
+    BatchOptions options = a.batch_options();
+    options.anew = anew;
+    options.lock_wait = kLockWait;
+    return run_batch(plan, options, stop_flag(), [](const BatchTally&) {}).map([](const BatchTally& tally) {
+        return Evaluated{tally.batch, tally.whole};
+    });
 }
 
 /// What a cluster loses is submitted again.
@@ -157,7 +116,7 @@ tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments
             return Fault(over.error());
     }
     for (int tries = 0; tries < kMostTries && !stop_flag(); ++tries) {
-        ClusterOptions options = cluster_options(a);
+        ClusterOptions options = a.cluster_options();
         options.anew = anew && tries == 0;  // what was lost alone is submitted again
         auto state = submit(plan, options);
         if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPoll);
@@ -179,23 +138,16 @@ void show_search(const SearchPlan& search, const SearchState& state, bool on_ter
                shown(state.best.score.value), shown(state.start.score.value), on_terminal ? "   " : "\n");
 }
 
-Done write_to(const std::string& file, const std::string& text) {
-    if (file.empty()) return {};
-    if (file != os::kStandardStream) return os::write_file(file, text);
-    apps::print(text);
-    return {};
-}
-
 Done write_found(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
                  const std::optional<Proof>& proof) {
     const bool prints = a.json == os::kStandardStream || a.page == os::kStandardStream;
     if (!prints) apps::print(to_text(search, state, proof));
-    if (Done done = write_to(a.json, to_json(search, state, proof)); !done) return done;
+    if (Done done = write_text(a.json, to_json(search, state, proof)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
     if (!results) return Fault(results.error());
     return to_html(search, state, proof, *results).and_then([&](const std::string& page) {
-        return write_to(a.page, page);
+        return write_text(a.page, page);
     });
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -111,6 +112,12 @@ void add_programs(Plan& plan, const Names& files) {
     for (const std::string& file : files) {
         if (known.insert(file).second) plan.programs.push_back(file);
     }
+}
+
+Plan with_variants(Plan plan, std::vector<std::vector<SettingValue>> variants) {
+    plan.settings.clear();
+    plan.design = {.sampling = Sampling::listed, .listed = std::move(variants)};
+    return plan;
 }
 
 Jobs::Jobs(const Plan& plan) : plan_(plan), design_(plan.settings, plan.design) {}

@@ -26,6 +26,9 @@ struct Plan {
     Kept keeps;
 };
 
+/// The same with these variants in place of its settings.
+Plan with_variants(Plan plan, std::vector<std::vector<SettingValue>> variants);
+
 /// The jobs of a plan, made where they are needed: there may be millions.
 class Jobs {
   public:

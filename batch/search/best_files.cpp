@@ -140,6 +140,18 @@ std::vector<std::string> files_that_are_read(const Plan& plan) {
     return files;
 }
 
+/// All that write_variant() may write.
+std::vector<std::string> files_of_variants(const Plan& plan, const std::string& folder) {
+    const Plan one = with_variants(plan, {{}});
+    const Jobs jobs(one);
+    std::vector<std::string> files;
+    for (std::uint64_t i = 0; i < jobs.size(); ++i) {
+        const std::string stem = stem_of(jobs.job(i), jobs.size());
+        for (const char* ending : kEndings) files.push_back((fs::path(folder) / (stem + ending)).string());
+    }
+    return files;
+}
+
 }  // namespace
 
 tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
@@ -148,9 +160,7 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return Fault(fmt::format("'{}': {}", folder, error.message()));
-    Plan one = plan;
-    one.settings.clear();
-    one.design = {.sampling = Sampling::listed, .listed = {settings}};
+    const Plan one = with_variants(plan, {settings});
     const Jobs jobs(one);
     JobRunner runner;
     std::vector<Job> written;
@@ -163,19 +173,6 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
         written.push_back(*std::move(made));
     }
     return written;
-}
-
-std::vector<std::string> files_of_variants(const Plan& plan, const std::string& folder) {
-    Plan one = plan;
-    one.settings.clear();
-    one.design = {.sampling = Sampling::listed, .listed = {{}}};
-    const Jobs jobs(one);
-    std::vector<std::string> files;
-    for (std::uint64_t i = 0; i < jobs.size(); ++i) {
-        const std::string stem = stem_of(jobs.job(i), jobs.size());
-        for (const char* ending : kEndings) files.push_back((fs::path(folder) / (stem + ending)).string());
-    }
-    return files;
 }
 
 std::string fault_of_folder(const Plan& plan, const std::string& folder, bool overwrite) {

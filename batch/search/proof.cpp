@@ -22,9 +22,7 @@ class Prover {
 
     /// Runs of a variant as the search has made them, but for what is told of them.
     tl::expected<Proof::Bounded, std::string> again(const Trial& trial) {
-        Plan plan = with_more(search_.plan);
-        plan.settings.clear();
-        plan.design = {.sampling = Sampling::listed, .listed = {trial.settings}};
+        const Plan plan = with_variants(with_more(search_.plan), {trial.settings});
         return runs_of(plan).and_then([&](const auto& runs) { return compared(trial, runs); });
     }
 
@@ -35,9 +33,7 @@ class Prover {
             plan.programs = {job.program};
             plan.machines = {job.machine};
             plan.options = job.options;
-            plan.settings.clear();
-            plan.design = {};
-            auto made = runs_of(with_more(std::move(plan)));
+            auto made = runs_of(with_variants(with_more(std::move(plan)), {{}}));
             if (!made) return Fault(made.error());
             runs.insert(runs.end(), made->begin(), made->end());
         }

@@ -66,9 +66,7 @@ class BestSearch {
   private:
     /// Tries variants; their places from the best one on. Nothing: it was cut off.
     tl::expected<std::vector<std::size_t>, std::string> try_all(const Variants& variants) {
-        Plan plan = search_.plan;
-        plan.settings.clear();
-        plan.design = {.sampling = Sampling::listed, .listed = variants};
+        const Plan plan = with_variants(search_.plan, variants);
         const auto evaluated = evaluate_(plan, false);
         if (!evaluated) return Fault(evaluated.error());
         if (!evaluated->whole) return std::vector<std::size_t>();

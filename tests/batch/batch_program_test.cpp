@@ -14,6 +14,7 @@
 #include "base/os/spawn.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
+#include "tests/batch/slide.h"
 
 namespace gsim::batch::batch_program_test {
 namespace {
@@ -49,19 +50,6 @@ class BatchProgram : public apps::Apps {
             write(fmt::format("p{}.ngc", i), fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", 10 + i));
     }
 };
-
-constexpr const char* kSlide = R"([machine]
-name = "slide"
-[program]
-dialect = "rs274ngc"
-[[axis]]
-letter = "X"
-kind = "linear"
-max_mm = 1000.0
-max_speed_mm_s = 100.0
-max_acceleration_mm_s2 = 1000.0
-direction = "x"
-)";
 
 /// From rest to rest over a way at a feed of 10 mm/s, with 1000 mm/s2.
 double time_s(double way_mm, double feed_mm_s = 10, double acceleration_mm_s2 = 1000) {

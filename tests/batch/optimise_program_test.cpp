@@ -13,6 +13,7 @@
 #include "base/os/spawn.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
+#include "tests/batch/slide.h"
 
 namespace gsim::batch::optimise_program_test {
 namespace {
@@ -43,18 +44,7 @@ class OptimiseProgram : public apps::Apps {
     }
 
     void write_slide() const {
-        write("m.toml", R"([machine]
-name = "slide"
-[program]
-dialect = "rs274ngc"
-[[axis]]
-letter = "X"
-kind = "linear"
-max_mm = 1000.0
-max_speed_mm_s = 100.0
-max_acceleration_mm_s2 = 1000.0
-direction = "x"
-)");
+        write("m.toml", kSlide);
         write("p.ngc", "G21 G90 G94 F600\nG1 X20\nM2\n");
     }
 };

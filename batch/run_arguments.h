@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "apps/command_line.h"
+#include "batch/run/batch_run.h"
+#include "batch/slurm/cluster_batch.h"
+
+namespace gsim::batch {
+
+/// Where and how runs are made, as both programs are told.
+struct RunArguments {
+    std::string results;
+    std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
+    std::optional<double> memory_mb;
+    double timeout_s = 600;
+    bool retry = false;
+    bool slurm = false;
+    std::string partition;
+    std::uint64_t shard_runs = 1000, task_workers = 1, time_limit_min = 0;
+
+    BatchOptions batch_options() const;
+    ClusterOptions cluster_options() const;
+};
+
+/// Of this machine: workers and what bounds them.
+void add_worker_options(apps::CommandLine& line, RunArguments& arguments);
+/// Of a cluster; `slurm` says what is submitted.
+void add_cluster_options(apps::CommandLine& line, RunArguments& arguments, const char* slurm);
+
+}  // namespace gsim::batch

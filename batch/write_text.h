@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "apps/print.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
+
+namespace gsim::batch {
+
+/// Writes a text to a file, or to standard output for "-"; nothing where no file is named.
+inline tl::expected<void, std::string> write_text(const std::string& file, const std::string& text) {
+    if (file.empty()) return {};
+    if (file != os::kStandardStream) return os::write_file(file, text);
+    apps::print(text);
+    return {};
+}
+
+}  // namespace gsim::batch

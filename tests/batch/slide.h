@@ -1,0 +1,19 @@
+#pragma once
+
+namespace gsim::batch {
+
+/// A machine of one axis, whose times are closed forms.
+inline constexpr const char* kSlide = R"([machine]
+name = "slide"
+[program]
+dialect = "rs274ngc"
+[[axis]]
+letter = "X"
+kind = "linear"
+max_mm = 1000.0
+max_speed_mm_s = 100.0
+max_acceleration_mm_s2 = 1000.0
+direction = "x"
+)";
+
+}  // namespace gsim::batch
