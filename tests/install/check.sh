@@ -123,9 +123,9 @@ batch() {
     (cd "$scratch" && for _ in 1 2; do bare "$bin/gsim-batch" --machine af5-measured --no-collisions "$samples/wheel.nc" || return; done)
 }
 check 'gsim-batch --version' '^gsim-batch [0-9]' bare "$bin/gsim-batch" --version
-# Without bodies, which take minutes under sanitizers.
+# Without bodies, which take minutes under sanitizers. The archive's folder has quotes in its name: a literal string holds them.
 cat >"$scratch/place.toml" <<END
-programs = "$samples/wheel.path.json"
+programs = '$samples/wheel.path.json'
 machines = "af5-measured"
 [options]
 collisions = false
