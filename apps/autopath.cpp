@@ -9,8 +9,10 @@
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
+#include "apps/print.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
+#include "base/text/printable.h"
 #include "base/units.h"
 #include "engine/drawing_path.h"
 #include "engine/system/host_of_system.h"
@@ -259,7 +261,7 @@ void tell_summary(const std::string& sentence, apps::Findings& findings) {
     if (findings.options().json) {
         findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = sentence});
     } else {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
+        apps::tell(text::printable(sentence + '\n'));
     }
 }
 
@@ -297,7 +299,7 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const auto written = write_path(*path, apps::product_name(arguments.output));
     if (!written) return findings.fail(Kind::output, written.error());
     tell_summary(path->summary(), findings);
-    if (arguments.report) std::fputs(path->job_report().c_str(), stderr);
+    if (arguments.report) apps::tell(text::printable(path->job_report()));
     return apps::kDone;
 }
 

@@ -90,7 +90,7 @@ int refuse(const ProgramEntry& entry, Arguments arguments, text::DiagnosticKind 
     Findings findings(std::string(entry.name), {.json = json, .sarif = {}});
     const int status = findings.fail(kind, why);
     if (!json && kind == text::DiagnosticKind::usage)
-        std::fprintf(stderr, "%s", fmt::format("{0}: {0} --help tells what there is\n", entry.name).c_str());
+        tell(fmt::format("{0}: {0} --help tells what there is\n", entry.name));
     return findings.finish(status, Findings::Stream::standard_output);
 }
 

@@ -15,7 +15,7 @@ namespace {
 void tell_failure(int error) {
     const std::string sentence =
         fmt::format("cannot write standard output: {}\n", std::generic_category().message(error));
-    std::fputs(sentence.c_str(), stderr);
+    tell(sentence);
 }
 
 }  // namespace
@@ -25,6 +25,10 @@ void print(std::string_view text) {
     if (std::ferror(stdout) != 0) return;
     const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!whole || std::ferror(stdout) != 0) tell_failure(errno);
+}
+
+void tell(std::string_view text) {
+    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
 int finish_standard_output(int status) {

@@ -1,15 +1,18 @@
 #pragma once
 
-#include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "apps/exit_status.h"
+#include "apps/print.h"
+#include "base/text/printable.h"
 
 namespace gsim::apps {
 
 /// What is wrong with options or files, on standard error; the exit status for it.
 inline int usage_error(const char* program, const std::string& message) {
-    std::fprintf(stderr, "%s: %s\n", program, message.c_str());
+    tell(text::printable(fmt::format("{}: {}\n", program, message)));
     return kUsage;
 }
 

@@ -17,9 +17,11 @@
 #include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
+#include "apps/usage_error.h"
 #include "base/os/input_file.h"
 #include "base/os/installation.h"
 #include "base/os/output_file.h"
+#include "base/text/printable.h"
 #include "batch/arguments.h"
 #include "batch/optimise.h"
 #include "batch/pages/pages.h"
@@ -94,8 +96,8 @@ void show_progress(const BatchTally& tally) {
     const double rate_1_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
     const auto left = static_cast<double>(tally.jobs - tally.done());
     const std::string rest = tally.ran > 0 ? shown_time(left / rate_1_s) + " left" : std::string();
-    fmt::print(stderr, "\r{} of {}, {} failed, {:.1f}/s, {}   ", tally.done(), tally.jobs, tally.failed,
-               rate_1_s, rest);
+    apps::tell(fmt::format("\r{} of {}, {} failed, {:.1f}/s, {}   ", tally.done(), tally.jobs, tally.failed,
+                           rate_1_s, rest));
 }
 
 Done write_output(Database& results, const std::string& file,
@@ -126,12 +128,12 @@ Done write_statistics(const Arguments& arguments, Database& results) {
         if (before) {
             comparisons->push_back(*std::move(before));
         } else {
-            fmt::print(stderr, "{}: {}\n", kName, before.error());
+            apps::usage_error(kName, before.error());
         }
     }
     if (arguments.statistics) {
-        for (const Study& study : *studies) apps::print(to_text(study));
-        for (const Comparison& comparison : *comparisons) apps::print(to_text(comparison));
+        for (const Study& study : *studies) apps::print(text::printable(to_text(study)));
+        for (const Comparison& comparison : *comparisons) apps::print(text::printable(to_text(comparison)));
     }
     return write_text(arguments.statistics_json, to_json(*studies, *comparisons)).and_then([&] {
         return write_text(arguments.page, to_html(*studies, *comparisons));
@@ -166,15 +168,12 @@ Done write_outputs(const Arguments& arguments) {
         .and_then([&] { return write_pages_of(arguments, *results); })
         .and_then([&]() -> Done {
             if (arguments.quiet || prints || arguments.statistics) return {};
-            return summary(*results).map([](const std::string& text) { apps::print(text); });
-        })
-        .map_error(
-            [&](const std::string& why) { return fmt::format("results '{}': {}", arguments.results, why); });
+            return summary(*results).map([](const std::string& text) { apps::print(text::printable(text)); });
+        });
 }
 
 int refuse(const std::string& why) {
-    fmt::print(stderr, "{}: {}\n", kName, why);
-    return apps::kUsage;
+    return apps::usage_error(kName, why);
 }
 
 int run_plan(const Arguments& arguments) {
@@ -186,17 +185,18 @@ int run_plan(const Arguments& arguments) {
     const auto tally = run_batch(*plan, arguments.batch_options(), stop_flag(), [&](const BatchTally& now) {
         if (shows) show_progress(now);
     });
-    if (shows) fmt::print(stderr, "\n");
+    if (shows) apps::tell("\n");
     if (!tally) return refuse(tally.error());
     if (!arguments.quiet)
-        fmt::print(stderr, "{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
-                   tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed);
+        apps::tell(fmt::format("{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n",
+                               tally->done(), tally->jobs, tally->ran, tally->wall_s, tally->reused,
+                               tally->failed));
     if (tally->undrawn > 0)
-        fmt::print(stderr, "{}: {} pictures could not be drawn: {}\n", kName, tally->undrawn,
-                   tally->why_undrawn);
+        apps::tell(text::printable(fmt::format("{}: {} pictures could not be drawn: {}\n", kName,
+                                               tally->undrawn, tally->why_undrawn)));
     if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
     if (!tally->whole) {
-        fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kName);
+        apps::tell(fmt::format("{}: cut off; the same command goes on from here\n", kName));
         return apps::kProgramFault;
     }
     return tally->failed > 0 ? apps::kProgramFault : apps::kDone;
@@ -286,7 +286,7 @@ int main(int argc, char** argv) {
         return gsim::apps::finish_standard_output(gsim::batch::run(
             std::filesystem::path(argv[0]).filename(), std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "gsim-batch: {}\n", error.what());
+        gsim::apps::tell(fmt::format("gsim-batch: {}\n", error.what()));
         return gsim::apps::kUsage;
     }
 }

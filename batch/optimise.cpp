@@ -16,8 +16,10 @@
 #include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
+#include "apps/usage_error.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "base/text/printable.h"
 #include "batch/run_arguments.h"
 #include "batch/search/proof.h"
 #include "batch/search/search.h"
@@ -83,8 +85,7 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
 }
 
 int refuse_search(const std::string& why) {
-    fmt::print(stderr, "{}: {}\n", kOptimise, why);
-    return apps::kUsage;
+    return apps::usage_error(kOptimise, why);
 }
 
 tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
@@ -133,9 +134,10 @@ void show_search(const SearchPlan& search, const SearchState& state, bool on_ter
     const auto shown = [](std::optional<double> value) {
         return value ? fmt::format("{:.6g}", *value) : std::string("-");
     };
-    fmt::print(stderr, "{}{} of {} variants, {} without a fault; best {}, start {}{}",
-               on_terminal ? "\r" : "", state.tried, search.variants + 1, state.allowed,
-               shown(state.best.score.value), shown(state.start.score.value), on_terminal ? "   " : "\n");
+    apps::tell(fmt::format("{}{} of {} variants, {} without a fault; best {}, start {}{}",
+                           on_terminal ? "\r" : "", state.tried, search.variants + 1, state.allowed,
+                           shown(state.best.score.value), shown(state.start.score.value),
+                           on_terminal ? "   " : "\n"));
 }
 
 Done write_found(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
@@ -174,8 +176,9 @@ int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchS
         }
     }
     if (const Done done = write_found(a, search, state, proof); !done) return refuse_search(done.error());
-    if (!why_unproven.empty()) fmt::print(stderr, "{}: not proven: {}\n", kOptimise, why_unproven);
-    if (!state.whole) fmt::print(stderr, "{}: cut off; the same command goes on from here\n", kOptimise);
+    if (!why_unproven.empty())
+        apps::tell(text::printable(fmt::format("{}: not proven: {}\n", kOptimise, why_unproven)));
+    if (!state.whole) apps::tell(fmt::format("{}: cut off; the same command goes on from here\n", kOptimise));
     return proof ? apps::kDone : apps::kProgramFault;
 }
 
@@ -195,10 +198,10 @@ int run_search(const OptimiseArguments& a) {
     const auto state = search_best(*search, a.results, evaluate, [&](const SearchState& now) {
         if (!a.quiet) show_search(*search, now, on_terminal);
     });
-    if (on_terminal && !a.quiet) fmt::print(stderr, "\n");
+    if (on_terminal && !a.quiet) apps::tell("\n");
     if (!state) return refuse_search(state.error());
     if (state->tried == 0) {
-        fmt::print(stderr, "{}: cut off before anything was run\n", kOptimise);
+        apps::tell(fmt::format("{}: cut off before anything was run\n", kOptimise));
         return apps::kProgramFault;
     }
     return conclude(a, *search, *state, evaluate);

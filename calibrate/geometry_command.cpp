@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
+#include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/geometry/compensation.h"
 #include "calibrate/geometry/geometry_outcome.h"
@@ -183,8 +185,8 @@ Done fit_to_tips(const GeometryArguments& arguments, const machine::Machine& mac
     const auto squareness = squareness_of(machine, *fit);
     if (!arguments.quiet) {
         if (!list->unmeasured.empty())
-            fmt::print(stderr, "{} lines have no tip yet\n", list->unmeasured.size());
-        fmt::print(stderr, "{}", geometry_table(*fit, squareness));
+            apps::tell(fmt::format("{} lines have no tip yet\n", list->unmeasured.size()));
+        apps::tell(text::printable(geometry_table(*fit, squareness)));
     }
     const auto text = geometry_text(*fit);
     if (!text) return tl::unexpected("the fitted machine is no machine file: " + text.error());

@@ -13,6 +13,7 @@
 #include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
+#include "base/text/printable.h"
 #include "calibrate/geometry_command.h"
 #include "calibrate/servo_command.h"
 #include "calibrate/times_command.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr const char* kName = "gsim-calibrate";
 
 int refuse(const std::string& why) {
-    fmt::print(stderr, "{0}: {1}\n{0}: {0} --help tells what there is\n", kName, why);
+    apps::tell(text::printable(fmt::format("{0}: {1}\n{0}: {0} --help tells what there is\n", kName, why)));
     return apps::kUsage;
 }
 
@@ -47,7 +48,7 @@ int run(const std::vector<std::string>& words) {
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
     if (const Done done = chosen(); !done) {
-        fmt::print(stderr, "{}: {}\n", kName, done.error());
+        apps::tell(text::printable(fmt::format("{}: {}\n", kName, done.error())));
         return apps::kProgramFault;
     }
     return apps::kDone;
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
         return gsim::apps::finish_standard_output(
             gsim::calibrate::run(std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
-        fmt::print(stderr, "gsim-calibrate: {}\n", error.what());
+        gsim::apps::tell(fmt::format("gsim-calibrate: {}\n", error.what()));
         return gsim::apps::kProgramFault;
     }
 }

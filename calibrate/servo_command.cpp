@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/print.h"
 #include "base/os/input_file.h"
+#include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/servo/servo_fit.h"
 #include "calibrate/servo/servo_record.h"
@@ -81,10 +83,10 @@ Done fit_all(const ServoArguments& arguments) {
             return tl::unexpected(fmt::format("{} has no axis {}", arguments.machine, record.letter));
         const auto fit = fit_servo(record);
         if (!fit) {
-            fmt::print(stderr, "{}: {}; it is left as it was\n", record.letter, fit.error());
+            apps::tell(fmt::format("{}: {}; it is left as it was\n", record.letter, fit.error()));
             continue;
         }
-        fmt::print(stderr, "{}", told(*fit, *axis));
+        apps::tell(text::printable(told(*fit, *axis)));
         axis->servo = fit->servo;
         ++fitted;
     }

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
+#include "apps/print.h"
 #include "base/os/input_file.h"
+#include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
@@ -148,7 +150,7 @@ Done write_all(const Arguments& arguments, const Task& task, const Fit& fit,
 
 Done fit_to_times(const Arguments& arguments) {
     const auto tell = [&](const std::string& words) {
-        if (!arguments.quiet) fmt::print(stderr, "{}\n", words);
+        if (!arguments.quiet) apps::tell(text::printable(words + '\n'));
     };
     auto task = read_task(arguments);
     if (!task) return tl::unexpected(task.error());

@@ -32,7 +32,7 @@ class NightReader {
         run_ = *std::move(run);
         auto batches = read_batches(fmt::format("ORDER BY id DESC LIMIT {}", kMostBatches));
         if (!batches) return Fault(batches.error());
-        if (batches->empty()) return Fault("there is no batch in it");
+        if (batches->empty()) return Fault(fmt::format("there is no batch in '{}'", results_.file()));
         auto before = find_before(*batches, since);
         if (!before) return Fault(before.error());
         Night night(batches->front());
@@ -71,7 +71,8 @@ class NightReader {
         auto found = read_batches(fmt::format("WHERE id = {}", since));
         if (!found) return Fault(found.error());
         if (found->empty() || since >= batches.front().id)
-            return Fault(fmt::format("there is no batch {} before the latest one", since));
+            return Fault(
+                fmt::format("there is no batch {} before the latest one in '{}'", since, results_.file()));
         return found->front();
     }
 
@@ -141,7 +142,8 @@ class NightReader {
         if (const auto known = case_of_run_.find(id); known != case_of_run_.end()) return known->second;
         run_->bind(1, id);
         const auto row = run_->step();
-        if (!row || !*row) return Fault(row ? fmt::format("run {} is not in it", id) : row.error());
+        if (!row || !*row)
+            return Fault(row ? fmt::format("run {} is not in '{}'", id, results_.file()) : row.error());
         const auto text = [&](int column) { return std::string(run_->text(column)); };
         night.runs[id] = {.id = id,
                           .status = text(3),

@@ -62,7 +62,7 @@ tl::expected<WholeRun, std::string> RunBook::read(std::int64_t run) {
     run_.bind(1, run);
     const auto row = run_.step();
     if (!row) return tl::unexpected(row.error());
-    if (!*row) return tl::unexpected(fmt::format("run {} is not in it", run));
+    if (!*row) return tl::unexpected(fmt::format("run {} is not in the results", run));
     WholeRun whole = whole_run_in(run_);
     if (const auto done = run_.run(); !done) return tl::unexpected(done.error());
     picture_.bind(1, run);

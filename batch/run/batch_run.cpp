@@ -52,7 +52,7 @@ class BatchRun {
         tally_.batch = results_->batch();
         if (!ran) {
             static_cast<void>(results_->end_batch(false));
-            return Fault(fmt::format("results '{}': {}", options_.results, ran.error()));
+            return Fault(ran.error());
         }
         tally_.whole = tally_.done() == tally_.jobs;
         if (const auto ended = results_->end_batch(tally_.whole); !ended) return Fault(ended.error());

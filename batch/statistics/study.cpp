@@ -181,9 +181,10 @@ tl::expected<Comparison, std::string> compare_batches(Database& results, std::in
         batches->bind_null(1);
     }
     if (const auto row = batches->step(); !row || !*row)
-        return Fault(row ? "there is no batch" : row.error());
+        return Fault(row ? fmt::format("there is no batch in '{}'", results.file()) : row.error());
     const std::int64_t latest = batches->whole(0), other = batches->whole(1);
-    if (other <= 0 || other >= latest) return Fault("there is no such batch before the latest one");
+    if (other <= 0 || other >= latest)
+        return Fault(fmt::format("there is no such batch before the latest one in '{}'", results.file()));
     // The same program on the same machine, whatever became of their texts.
     auto pairs =
         results.prepare(pairs_of("(SELECT run.*, batch_run.job FROM batch_run JOIN run ON run.id = "

@@ -58,10 +58,12 @@ SqlDone check_or_make(Database& database) {
     if (*tables == 0) return make_tables(database);
     const auto application = ask(database, "PRAGMA application_id");
     const auto version = ask(database, "PRAGMA user_version");
-    if (!application || *application != kApplication) return Fault("it is no file of results");
+    if (!application || *application != kApplication)
+        return Fault(fmt::format("'{}' is no file of results", database.file()));
     if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", second_version()));
     if (!version || *version != kSchemaVersion)
-        return Fault("it is of another version of this program; take a new file");
+        return Fault(
+            fmt::format("'{}' is of another version of this program; take a new file", database.file()));
     return {};
 }
 
@@ -109,16 +111,13 @@ Results::~Results() {
 }
 
 tl::expected<Results, std::string> Results::open(const std::string& file, Journal journal) {
-    const auto failed = [&](const std::string& why) {
-        return Fault(fmt::format("results '{}': {}", file, why));
-    };
     auto database = Database::open(file);
     if (!database) return Fault(database.error());
     const char* mode = journal == Journal::write_ahead
                            ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
                            : "PRAGMA journal_mode = DELETE;";
-    if (const auto set = database->execute(mode); !set) return failed(set.error());
-    if (const auto made = check_or_make(*database); !made) return failed(made.error());
+    if (const auto set = database->execute(mode); !set) return Fault(set.error());
+    if (const auto made = check_or_make(*database); !made) return Fault(made.error());
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
         if (!statement) throw std::runtime_error("a statement of ours is wrong: " + statement.error());
@@ -167,7 +166,7 @@ SqlDone Results::resume_batch(std::int64_t batch, const std::string& token) {
     known->bind(1, batch).bind(2, token);
     const auto count = number_of(*known);
     if (!count) return Fault(count.error());
-    if (*count == 0) return Fault(fmt::format("batch {} is not in this file", batch));
+    if (*count == 0) return Fault(fmt::format("batch {} is not in '{}'", batch, database_.file()));
     batch_ = batch;
     token_ = token;
     return database_.execute("BEGIN IMMEDIATE");

@@ -1,5 +1,8 @@
 #include "batch/store/sqlite.h"
 
+#include <system_error>
+#include <utility>
+
 #include <fmt/format.h>
 #include <sqlite3.h>
 
@@ -24,6 +27,15 @@ int length_of(std::string_view text) {
     return static_cast<int>(text.size());
 }
 
+/// What SQLite says of its latest fault, with the system's word for it where that was behind it.
+std::string sentence_of(sqlite3* database, const std::string& file) {
+    const std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
+    const int status = sqlite3_errcode(database);
+    const int error = sqlite3_system_errno(database);
+    if ((status != SQLITE_IOERR && status != SQLITE_CANTOPEN) || error == 0) return said;
+    return fmt::format("{} ({})", said, std::generic_category().message(error));
+}
+
 }  // namespace
 
 void Statement::Close::operator()(sqlite3_stmt* statement) const {
@@ -34,33 +46,37 @@ void Database::Close::operator()(sqlite3* database) const {
     sqlite3_close(database);
 }
 
-Statement& Statement::bind(int parameter, std::string_view text) {
-    // An empty view may have no place, which SQLite would take for NULL.
-    const char* place = text.data() == nullptr ? "" : text.data();
-    sqlite3_bind_text(statement_.get(), parameter, place, length_of(text), SQLITE_TRANSIENT);
+Statement& Statement::bound(int status) {
+    if (status != SQLITE_OK) unbound_ = status;
     return *this;
 }
 
+Statement& Statement::bind(int parameter, std::string_view text) {
+    // An empty view may have no place, which SQLite would take for NULL.
+    const char* place = text.data() == nullptr ? "" : text.data();
+    return bound(
+        sqlite3_bind_text64(statement_.get(), parameter, place, text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+
 Statement& Statement::bind(int parameter, std::int64_t number) {
-    sqlite3_bind_int64(statement_.get(), parameter, number);
-    return *this;
+    return bound(sqlite3_bind_int64(statement_.get(), parameter, number));
 }
 
 Statement& Statement::bind(int parameter, std::optional<double> number) {
     if (!number) return bind_null(parameter);
-    sqlite3_bind_double(statement_.get(), parameter, *number);
-    return *this;
+    return bound(sqlite3_bind_double(statement_.get(), parameter, *number));
 }
 
 Statement& Statement::bind_null(int parameter) {
-    sqlite3_bind_null(statement_.get(), parameter);
-    return *this;
+    return bound(sqlite3_bind_null(statement_.get(), parameter));
 }
 
 tl::expected<bool, std::string> Statement::step() {
+    if (const int unbound = std::exchange(unbound_, SQLITE_OK); unbound != SQLITE_OK)
+        return tl::unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(unbound)));
     const int status = sqlite3_step(statement_.get());
     if (status == SQLITE_ROW) return true;
-    const std::string said = sqlite3_errmsg(database_);
+    const std::string said = sentence_of(database_, *file_);
     sqlite3_reset(statement_.get());
     if (status == SQLITE_DONE) return false;
     return tl::unexpected(said);
@@ -121,7 +137,7 @@ tl::expected<Database, std::string> Database::open_by(const std::string& file, c
                                                       int flags) {
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
-    Database database(opened);
+    Database database(opened, file);
     if (status != SQLITE_OK)
         return tl::unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));
     sqlite3_busy_timeout(opened, kBusy_ms);
@@ -130,15 +146,15 @@ tl::expected<Database, std::string> Database::open_by(const std::string& file, c
 
 SqlDone Database::execute(const std::string& sql) {
     if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
-    return tl::unexpected<std::string>(sqlite3_errmsg(database_.get()));
+    return tl::unexpected(sentence_of(database_.get(), *file_));
 }
 
 tl::expected<Statement, std::string> Database::prepare(std::string_view sql) {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v3(database_.get(), sql.data(), length_of(sql), SQLITE_PREPARE_PERSISTENT, &statement,
                            nullptr) != SQLITE_OK)
-        return tl::unexpected<std::string>(sqlite3_errmsg(database_.get()));
-    return Statement(database_.get(), statement);
+        return tl::unexpected(sentence_of(database_.get(), *file_));
+    return Statement(database_.get(), file_, statement);
 }
 
 }  // namespace gsim::batch

@@ -1,0 +1,168 @@
+// gsim-batch and gsim-optimise where what they write does not find room: a limit on the size of files stands
+// for a disk that fills up, as it needs no one's leave. A byte more room, and the fault comes a call later.
+
+#include <map>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "batch/store/sqlite.h"
+#include "tests/apps/run_program.h"
+#include "tests/batch/slide.h"
+
+namespace gsim::batch::full_disk_test {
+namespace {
+
+using apps::Ended;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+constexpr const char* kReason = "File too large";
+constexpr int kStep_kib = 4;  // a page of SQLite's
+constexpr int kMost_kib = 400;
+
+constexpr const char* kSearch = R"(programs = "p0.ngc"
+machines = ["m.toml"]
+[objective]
+cycle_time_s = 1
+[search]
+variants = 20
+[[setting]]
+key = "option.feed_override_percent"
+from = 50
+to = 150
+)";
+
+class FullDisk : public apps::Apps {
+  protected:
+    FullDisk() {
+        write("m.toml", kSlide);
+        for (int i = 0; i < 3; ++i)
+            write(fmt::format("p{}.ngc", i), fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", 10 + i));
+    }
+
+    /// Runs a program with files of so many KiB at most. What it says on standard error finds room.
+    Ended within(int room_kib, const std::string& program, const std::string& words) const {
+        const std::string command =
+            fmt::format("set -o pipefail; (trap '' XFSZ; ulimit -f {}; exec {} {}) 2>&1 >/dev/null | cat >&2",
+                        room_kib, program, words);
+        return apps::run_program("/bin/bash", {"-c", command}, folder_);
+    }
+    Ended batch(const std::vector<std::string>& words) const {
+        return apps::run_program(GSIM_BATCH, words, folder_);
+    }
+
+    /// What each program of the latest batch comes to.
+    std::map<std::string, std::string> rows(const std::string& file) const {
+        auto results = Database::open((folder_ / file).string(), true);
+        EXPECT_TRUE(results) << results.error();
+        auto asked = results->prepare("SELECT program, status, cycle_time_s, extents FROM latest");
+        EXPECT_TRUE(asked) << asked.error();
+        std::map<std::string, std::string> found;
+        while (asked->step().value_or(false))
+            found[std::string(asked->text(0))] =
+                fmt::format("{} {} {}", asked->text(1), asked->number(2), asked->text(3));
+        return found;
+    }
+
+    void remove_results() const {
+        for (const char* ending : {"", "-wal", "-shm", "-journal"})
+            std::filesystem::remove(folder_ / (std::string("r.sqlite") + ending));
+    }
+};
+
+const std::string kWords = "--machine m.toml p0.ngc p1.ngc p2.ngc --reports --results r.sqlite";
+
+TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
+    const std::vector<std::string> good = {"--machine", "m.toml",    "p0.ngc",    "p1.ngc",
+                                           "p2.ngc",    "--reports", "--results", "clean.sqlite"};
+    ASSERT_EQ(batch(good).status, 0);
+    const auto clean = rows("clean.sqlite");
+    ASSERT_EQ(clean.size(), 3U);
+    int full = 0, whole = 0;
+    for (int room_kib = 0; room_kib <= kMost_kib && whole < 2; room_kib += kStep_kib) {
+        remove_results();
+        const Ended ended = within(room_kib, GSIM_BATCH, kWords);
+        ++(ended.status == 0 ? whole : full);
+        if (ended.status != 0) {
+            EXPECT_EQ(ended.status, 2) << room_kib << ": " << ended.err;
+            EXPECT_THAT(ended.err, HasSubstr("'r.sqlite': ")) << room_kib;
+        }
+        const Ended next = within(kMost_kib, GSIM_BATCH, kWords);
+        EXPECT_EQ(next.status, 0) << room_kib << ": " << next.err;
+        EXPECT_EQ(rows("r.sqlite"), clean) << room_kib;
+    }
+    EXPECT_GT(full, 10) << "it was not cut off in its rows";
+    EXPECT_EQ(whole, 2) << "with enough room all is well";
+}
+
+// Rows that are there stay, whatever comes behind them.
+TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
+    ASSERT_EQ(batch({"--machine", "m.toml", "p0.ngc", "--results", "r.sqlite"}).status, 0);
+    const auto before = rows("r.sqlite");
+    ASSERT_EQ(within(kStep_kib, GSIM_BATCH, kWords).status, 2);
+    EXPECT_EQ(rows("r.sqlite"), before);
+    const Ended next = batch({"--machine", "m.toml", "p0.ngc", "p1.ngc", "--results", "r.sqlite"});
+    EXPECT_THAT(next.err, HasSubstr("1 run in")) << "the first one is there already";
+}
+
+TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
+    ASSERT_EQ(batch({"--machine", "m.toml", "p0.ngc", "--results", "r.sqlite"}).status, 0);
+    for (const char* option :
+         {"--csv", "--json-lines", "--junit", "--sarif", "--statistics-json", "--page"}) {
+        write("out", "old\n");
+        const Ended ended = within(0, GSIM_BATCH, fmt::format("--results r.sqlite {} out", option));
+        EXPECT_EQ(ended.status, 2) << option << ended.err;
+        EXPECT_THAT(ended.err, AllOf(HasSubstr("'out'"), HasSubstr(kReason))) << option;
+        EXPECT_EQ(ended.err.find("r.sqlite"), std::string::npos) << option << ": it is not to blame";
+        EXPECT_EQ(read("out"), "old\n") << option;
+    }
+    const Ended pages = within(0, GSIM_BATCH, "--results r.sqlite --pages site");
+    EXPECT_EQ(pages.status, 2);
+    EXPECT_THAT(pages.err, AllOf(HasSubstr("site/"), HasSubstr(kReason)));
+}
+
+// A log on a full disk ends no batch, and a refusal stays one.
+TEST_F(FullDisk, OfStandardErrorEndsNothing) {
+    write("search.toml", kSearch);
+    const auto unheard = [&](const std::string& words) {
+        return apps::run_program("/bin/bash", {"-c", words + " 2>/dev/full"}, folder_).status;
+    };
+    const std::string batch = GSIM_BATCH " ", optimise = GSIM_OPTIMISE " ";
+    EXPECT_EQ(unheard(batch + kWords), 0);
+    EXPECT_EQ(rows("r.sqlite").size(), 3U);
+    EXPECT_EQ(unheard(batch + "none.ngc"), 2);
+    EXPECT_EQ(unheard(batch + "--none"), 2);
+    EXPECT_EQ(unheard(optimise + "search.toml --results s.sqlite --json s.json"), 0);
+    EXPECT_TRUE(exists("s.json"));
+    EXPECT_EQ(unheard(optimise + "none.toml"), 2);
+}
+
+TEST_F(FullDisk, ASearchGoesOn) {
+    write("search.toml", kSearch);
+    const auto search = [&](int room_kib, const std::string& file) {
+        return within(
+            room_kib, GSIM_OPTIMISE,
+            fmt::format("search.toml -q --results {0}.sqlite --json {0}.json --best best-{0}", file));
+    };
+    ASSERT_EQ(search(kMost_kib, "clean").status, 0);
+    int full = 0;
+    for (int room_kib = 0; room_kib <= kMost_kib; room_kib += 3 * kStep_kib) {
+        remove_results();
+        std::filesystem::remove_all(folder_ / "best-r");
+        const Ended ended = search(room_kib, "r");
+        if (ended.status == 0) break;
+        ++full;
+        EXPECT_EQ(ended.status, 2) << room_kib << ": " << ended.err;
+        EXPECT_THAT(ended.err, AnyOf(HasSubstr("'r.sqlite': "), HasSubstr("best-r"), HasSubstr("r.json")))
+            << room_kib;
+        const Ended next = search(kMost_kib, "r");
+        EXPECT_EQ(next.status, 0) << room_kib << ": " << next.err;
+        EXPECT_EQ(read("best-r/p0.ngc"), read("best-clean/p0.ngc")) << room_kib;
+    }
+    EXPECT_GT(full, 5);
+}
+
+}  // namespace
+}  // namespace gsim::batch::full_disk_test
