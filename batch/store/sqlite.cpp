@@ -29,7 +29,7 @@ int length_of(std::string_view text) {
 
 /// What SQLite says of its latest fault, with the system's word for it where that was behind it.
 std::string sentence_of(sqlite3* database, const std::string& file) {
-    const std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
+    std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
     const int status = sqlite3_errcode(database);
     const int error = sqlite3_system_errno(database);
     if ((status != SQLITE_IOERR && status != SQLITE_CANTOPEN) || error == 0) return said;
