@@ -1,6 +1,6 @@
 #!/bin/bash
 # Looks at our own sources without running them.
-# Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis?
+# Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis, is nothing printed by fmt::print()?
 #        scripts/lint.sh tidy [SINCE]   clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
 #                                       headers, which are looked at once for each batch. SINCE, a commit: over the batches with sources that
 #                                       have changed since, and one with each header that has
@@ -17,12 +17,18 @@ format() {
         code=1
     fi
     test_names || code=1
+    printing || code=1
     return $code
 }
 
 # GoogleTest makes names of its own with '_'.
 test_names() {
     ! git grep -nE '^(TEST|TEST_F|TEST_P|TYPED_TEST)\(\w+, *(\w*_|[a-z])' -- '*.cpp' '*.h'
+}
+
+# It throws where it cannot write, and a log on a full disk would end the program: apps::print() and apps::tell() do not.
+printing() {
+    ! git grep -nF 'fmt::print(' -- '*.cpp' '*.h' ':!tests' ':!bench' ':!samples'
 }
 
 # The generated headers, and compile_commands.json, in a folder. Usage: prepare FOLDER [options of cmake]
