@@ -2,10 +2,9 @@
 
 #include <cstdio>
 
-#include <fmt/format.h>
-
 #include "apps/exit_status.h"
 #include "apps/print.h"
+#include "apps/usage_error.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
 
@@ -81,7 +80,7 @@ void Findings::take(const text::Diagnostic& told) {
 
 int Findings::fail(const engine::Failure& failure) {
     all_.push_back(engine::diagnostic_of(failure));
-    if (!options_.json) print_error(text::printable(fmt::format("{}: {}\n", program_, failure.message)));
+    if (!options_.json) tell_fault(program_, failure.message);
     return kUsage;
 }
 

@@ -1,7 +1,6 @@
 #include "apps/front.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <vector>

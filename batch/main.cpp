@@ -128,7 +128,7 @@ Done write_statistics(const Arguments& arguments, Database& results) {
         if (before) {
             comparisons->push_back(*std::move(before));
         } else {
-            apps::usage_error(kName, before.error());
+            apps::tell_fault(kName, before.error());
         }
     }
     if (arguments.statistics) {
@@ -192,11 +192,11 @@ int run_plan(const Arguments& arguments) {
                                tally->done(), tally->jobs, tally->ran, tally->wall_s, tally->reused,
                                tally->failed));
     if (tally->undrawn > 0)
-        apps::tell(text::printable(fmt::format("{}: {} pictures could not be drawn: {}\n", kName,
-                                               tally->undrawn, tally->why_undrawn)));
+        apps::tell_fault(
+            kName, fmt::format("{} pictures could not be drawn: {}", tally->undrawn, tally->why_undrawn));
     if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
     if (!tally->whole) {
-        apps::tell(fmt::format("{}: cut off; the same command goes on from here\n", kName));
+        apps::tell_fault(kName, "cut off; the same command goes on from here");
         return apps::kProgramFault;
     }
     return tally->failed > 0 ? apps::kProgramFault : apps::kDone;
@@ -286,7 +286,6 @@ int main(int argc, char** argv) {
         return gsim::apps::finish_standard_output(gsim::batch::run(
             std::filesystem::path(argv[0]).filename(), std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
-        gsim::apps::tell(fmt::format("gsim-batch: {}\n", error.what()));
-        return gsim::apps::kUsage;
+        return gsim::apps::usage_error("gsim-batch", error.what());
     }
 }

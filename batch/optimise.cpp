@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 
 #include <fmt/format.h>
@@ -143,7 +142,7 @@ void show_search(const SearchPlan& search, const SearchState& state, bool on_ter
 Done write_found(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
                  const std::optional<Proof>& proof) {
     const bool prints = a.json == os::kStandardStream || a.page == os::kStandardStream;
-    if (!prints) apps::print(to_text(search, state, proof));
+    if (!prints) apps::print(text::printable(to_text(search, state, proof)));
     if (Done done = write_text(a.json, to_json(search, state, proof)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
@@ -176,9 +175,8 @@ int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchS
         }
     }
     if (const Done done = write_found(a, search, state, proof); !done) return refuse_search(done.error());
-    if (!why_unproven.empty())
-        apps::tell(text::printable(fmt::format("{}: not proven: {}\n", kOptimise, why_unproven)));
-    if (!state.whole) apps::tell(fmt::format("{}: cut off; the same command goes on from here\n", kOptimise));
+    if (!why_unproven.empty()) apps::tell_fault(kOptimise, "not proven: " + why_unproven);
+    if (!state.whole) apps::tell_fault(kOptimise, "cut off; the same command goes on from here");
     return proof ? apps::kDone : apps::kProgramFault;
 }
 
@@ -201,7 +199,7 @@ int run_search(const OptimiseArguments& a) {
     if (on_terminal && !a.quiet) apps::tell("\n");
     if (!state) return refuse_search(state.error());
     if (state->tried == 0) {
-        apps::tell(fmt::format("{}: cut off before anything was run\n", kOptimise));
+        apps::tell_fault(kOptimise, "cut off before anything was run");
         return apps::kProgramFault;
     }
     return conclude(a, *search, *state, evaluate);

@@ -1,6 +1,5 @@
 // gsim-calibrate: a machine file from what a machine did.
 
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "apps/own_pages.h"
 #include "apps/parse.h"
 #include "apps/print.h"
-#include "base/text/printable.h"
+#include "apps/usage_error.h"
 #include "calibrate/geometry_command.h"
 #include "calibrate/servo_command.h"
 #include "calibrate/times_command.h"
@@ -25,8 +24,8 @@ namespace {
 constexpr const char* kName = "gsim-calibrate";
 
 int refuse(const std::string& why) {
-    apps::tell(text::printable(fmt::format("{0}: {1}\n{0}: {0} --help tells what there is\n", kName, why)));
-    return apps::kUsage;
+    apps::tell_fault(kName, why);
+    return apps::usage_error(kName, fmt::format("{} --help tells what there is", kName));
 }
 
 int run(const std::vector<std::string>& words) {
@@ -48,7 +47,7 @@ int run(const std::vector<std::string>& words) {
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
     if (const Done done = chosen(); !done) {
-        apps::tell(text::printable(fmt::format("{}: {}\n", kName, done.error())));
+        apps::tell_fault(kName, done.error());
         return apps::kProgramFault;
     }
     return apps::kDone;
@@ -63,7 +62,7 @@ int main(int argc, char** argv) {
         return gsim::apps::finish_standard_output(
             gsim::calibrate::run(std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
-        gsim::apps::tell(fmt::format("gsim-calibrate: {}\n", error.what()));
+        gsim::apps::tell_fault("gsim-calibrate", error.what());
         return gsim::apps::kProgramFault;
     }
 }

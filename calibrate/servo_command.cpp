@@ -1,7 +1,6 @@
 #include "calibrate/servo_command.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string_view>
 

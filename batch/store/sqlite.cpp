@@ -23,10 +23,6 @@ std::string immutable_uri(const std::string& file) {
     return uri + "?immutable=1";
 }
 
-int length_of(std::string_view text) {
-    return static_cast<int>(text.size());
-}
-
 /// What SQLite says of its latest fault, with the system's word for it where that was behind it.
 std::string sentence_of(sqlite3* database, const std::string& file) {
     std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
@@ -76,10 +72,10 @@ tl::expected<bool, std::string> Statement::step() {
         return tl::unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(unbound)));
     const int status = sqlite3_step(statement_.get());
     if (status == SQLITE_ROW) return true;
-    const std::string said = sentence_of(database_, *file_);
+    tl::expected<bool, std::string> ended = false;
+    if (status != SQLITE_DONE) ended = tl::unexpected(sentence_of(database_, *file_));
     sqlite3_reset(statement_.get());
-    if (status == SQLITE_DONE) return false;
-    return tl::unexpected(said);
+    return ended;
 }
 
 SqlDone Statement::run() {
@@ -151,8 +147,8 @@ SqlDone Database::execute(const std::string& sql) {
 
 tl::expected<Statement, std::string> Database::prepare(std::string_view sql) {
     sqlite3_stmt* statement = nullptr;
-    if (sqlite3_prepare_v3(database_.get(), sql.data(), length_of(sql), SQLITE_PREPARE_PERSISTENT, &statement,
-                           nullptr) != SQLITE_OK)
+    if (sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),
+                           SQLITE_PREPARE_PERSISTENT, &statement, nullptr) != SQLITE_OK)
         return tl::unexpected(sentence_of(database_.get(), *file_));
     return Statement(database_.get(), file_, statement);
 }

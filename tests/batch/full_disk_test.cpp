@@ -22,24 +22,17 @@ constexpr const char* kReason = "File too large";
 constexpr int kStep_kib = 4;  // a page of SQLite's
 constexpr int kMost_kib = 400;
 
-constexpr const char* kSearch = R"(programs = "p0.ngc"
-machines = ["m.toml"]
-[objective]
-cycle_time_s = 1
-[search]
-variants = 20
-[[setting]]
-key = "option.feed_override_percent"
-from = 50
-to = 150
-)";
-
 class FullDisk : public apps::Apps {
   protected:
     FullDisk() {
         write("m.toml", kSlide);
-        for (int i = 0; i < 3; ++i)
-            write(fmt::format("p{}.ngc", i), fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", 10 + i));
+        write_program("p.ngc", 10);
+        write_program("p1.ngc", 11);
+        write_program("p2.ngc", 12);
+    }
+
+    void write_program(const std::string& name, int way_mm) const {
+        write(name, fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", way_mm));
     }
 
     /// Runs a program with files of so many KiB at most. What it says on standard error finds room.
@@ -72,10 +65,10 @@ class FullDisk : public apps::Apps {
     }
 };
 
-const std::string kWords = "--machine m.toml p0.ngc p1.ngc p2.ngc --reports --results r.sqlite";
+const std::string kWords = "--machine m.toml p.ngc p1.ngc p2.ngc --reports --results r.sqlite";
 
 TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
-    const std::vector<std::string> good = {"--machine", "m.toml",    "p0.ngc",    "p1.ngc",
+    const std::vector<std::string> good = {"--machine", "m.toml",    "p.ngc",     "p1.ngc",
                                            "p2.ngc",    "--reports", "--results", "clean.sqlite"};
     ASSERT_EQ(batch(good).status, 0);
     const auto clean = rows("clean.sqlite");
@@ -99,16 +92,16 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
 
 // Rows that are there stay, whatever comes behind them.
 TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
-    ASSERT_EQ(batch({"--machine", "m.toml", "p0.ngc", "--results", "r.sqlite"}).status, 0);
+    ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     const auto before = rows("r.sqlite");
     ASSERT_EQ(within(kStep_kib, GSIM_BATCH, kWords).status, 2);
     EXPECT_EQ(rows("r.sqlite"), before);
-    const Ended next = batch({"--machine", "m.toml", "p0.ngc", "p1.ngc", "--results", "r.sqlite"});
+    const Ended next = batch({"--machine", "m.toml", "p.ngc", "p1.ngc", "--results", "r.sqlite"});
     EXPECT_THAT(next.err, HasSubstr("1 run in")) << "the first one is there already";
 }
 
 TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
-    ASSERT_EQ(batch({"--machine", "m.toml", "p0.ngc", "--results", "r.sqlite"}).status, 0);
+    ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     for (const char* option :
          {"--csv", "--json-lines", "--junit", "--sarif", "--statistics-json", "--page"}) {
         write("out", "old\n");
@@ -125,7 +118,7 @@ TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
 
 // A log on a full disk ends no batch, and a refusal stays one.
 TEST_F(FullDisk, OfStandardErrorEndsNothing) {
-    write("search.toml", kSearch);
+    write("search.toml", kOverride);
     const auto unheard = [&](const std::string& words) {
         return apps::run_program("/bin/bash", {"-c", words + " 2>/dev/full"}, folder_).status;
     };
@@ -134,17 +127,18 @@ TEST_F(FullDisk, OfStandardErrorEndsNothing) {
     EXPECT_EQ(rows("r.sqlite").size(), 3U);
     EXPECT_EQ(unheard(batch + "none.ngc"), 2);
     EXPECT_EQ(unheard(batch + "--none"), 2);
-    EXPECT_EQ(unheard(optimise + "search.toml --results s.sqlite --json s.json"), 0);
+    EXPECT_EQ(unheard(optimise + "search.toml --variants 20 --results s.sqlite --json s.json"), 0);
     EXPECT_TRUE(exists("s.json"));
     EXPECT_EQ(unheard(optimise + "none.toml"), 2);
 }
 
 TEST_F(FullDisk, ASearchGoesOn) {
-    write("search.toml", kSearch);
+    write("search.toml", kOverride);
     const auto search = [&](int room_kib, const std::string& file) {
         return within(
             room_kib, GSIM_OPTIMISE,
-            fmt::format("search.toml -q --results {0}.sqlite --json {0}.json --best best-{0}", file));
+            fmt::format("search.toml --variants 20 -q --results {0}.sqlite --json {0}.json --best best-{0}",
+                        file));
     };
     ASSERT_EQ(search(kMost_kib, "clean").status, 0);
     int full = 0;
@@ -159,7 +153,7 @@ TEST_F(FullDisk, ASearchGoesOn) {
             << room_kib;
         const Ended next = search(kMost_kib, "r");
         EXPECT_EQ(next.status, 0) << room_kib << ": " << next.err;
-        EXPECT_EQ(read("best-r/p0.ngc"), read("best-clean/p0.ngc")) << room_kib;
+        EXPECT_EQ(read("best-r/p.ngc"), read("best-clean/p.ngc")) << room_kib;
     }
     EXPECT_GT(full, 5);
 }

@@ -55,18 +55,6 @@ double slide_s(double percent) {
     return 20 / feed_mm_s + feed_mm_s / 1000;
 }
 
-constexpr const char* kOverride = R"(programs = "p.ngc"
-machines = ["m.toml"]
-[objective]
-cycle_time_s = 1
-[search]
-variants = 60
-[[setting]]
-key = "option.feed_override_percent"
-from = 50
-to = 150
-)";
-
 TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
     write_slide();
     write("plan.toml", kOverride);

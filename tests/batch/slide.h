@@ -16,4 +16,17 @@ max_acceleration_mm_s2 = 1000.0
 direction = "x"
 )";
 
+/// A search on it for the best override of the feed of p.ngc.
+inline constexpr const char* kOverride = R"(programs = "p.ngc"
+machines = ["m.toml"]
+[objective]
+cycle_time_s = 1
+[search]
+variants = 60
+[[setting]]
+key = "option.feed_override_percent"
+from = 50
+to = 150
+)";
+
 }  // namespace gsim::batch
