@@ -12,7 +12,7 @@ build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --par
 .PHONY: help run test test-all setup build bench accuracy calibration coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
 
 help:
-	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
+	@echo 'make run      build gcode2lua and gsim-run alone, translate samples/wheel.nc, show the Lua, simulate it'
 	@echo 'make test     build everything and run all tests'
 	@echo 'make test-all the same, and faults at every place instead of a sample of them'
 	@echo 'make setup    install the Debian packages that building the programs takes'
@@ -39,7 +39,8 @@ help:
 setup:
 	@scripts/setup.sh
 
-run: build
+run: setup
+	@$(call build_into,release) --target gsim-first
 	@scripts/run-wheel.sh build
 
 build: setup

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "base/text/format.h"
 
 namespace gsim::apps {
 
@@ -17,8 +18,7 @@ std::string text_of(const Target& target) {
             if constexpr (std::is_same_v<Value, std::string>) return *value;
             if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::uint64_t>)
                 return fmt::format("{}", *value);
-            if constexpr (std::is_same_v<Value, std::array<double, 3>>)
-                return fmt::format("{}", fmt::join(*value, " "));
+            if constexpr (std::is_same_v<Value, std::array<double, 3>>) return text::joined(*value, " ");
             return {};
         },
         target);
@@ -134,7 +134,7 @@ std::string CommandLine::usage() const {
 std::string value_name(const Option& option) {
     if (option.is_flag() || option.is_argument()) return {};
     if (!option.value.empty()) return option.value;
-    if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, "|"));
+    if (!option.choices.empty()) return text::joined(option.choices, "|");
     if (option.file == FileKind::folder) return "FOLDER";
     if (option.file != FileKind::none) return "FILE";
     const bool is_text = std::holds_alternative<std::string*>(option.target) ||

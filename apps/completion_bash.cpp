@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/completion.h"
 #include "apps/own_completion.h"
+#include "base/text/format.h"
 
 namespace gsim::apps {
 
@@ -52,7 +52,7 @@ std::string pattern(const Option& option) {
 }
 
 std::string completed_value(const Option& option) {
-    if (!offered(option).empty()) return fmt::format("_gsim_words '{}'", fmt::join(offered(option), " "));
+    if (!offered(option).empty()) return fmt::format("_gsim_words '{}'", text::joined(offered(option), " "));
     if (option.file == FileKind::folder) return "_gsim_files -d";
     if (option.file != FileKind::none) return "_gsim_files -f";
     return ":";  // a number, or a name that only the user knows
@@ -81,7 +81,7 @@ std::string program_function(const CommandLine& line) {
         fmt::format("{}() {{\n    local cur prev\n    _gsim_begin\n", function_name(line.program()));
     text += "    case $prev in\n" + cases(line) + "    esac\n";
     text +=
-        fmt::format("    if [[ $cur == -* ]]; then _gsim_words '{}'; return; fi\n", fmt::join(words, " "));
+        fmt::format("    if [[ $cur == -* ]]; then _gsim_words '{}'; return; fi\n", text::joined(words, " "));
     text += "    _gsim_files -f\n";
     if (!names.empty()) text += fmt::format("    _gsim_words '{}'\n", names.substr(1));
     return text + fmt::format("}}\ncomplete -F {} {}\n\n", function_name(line.program()), line.program());
@@ -95,7 +95,7 @@ std::string front_function(const CommandLine& front, std::span<const CompletedPr
     std::string text = "_gsim() {\n    local cur prev\n    _gsim_begin\n";
     text += fmt::format("    if ((COMP_CWORD == 1)); then _gsim_words '{}'; return; fi\n", words);
     text += "    case ${COMP_WORDS[1]} in\n";
-    text += fmt::format("        help|manual) _gsim_words '{}' ;;\n", fmt::join(commands, " "));
+    text += fmt::format("        help|manual) _gsim_words '{}' ;;\n", text::joined(commands, " "));
     text += "        completion) _gsim_words 'bash zsh fish' ;;\n";
     for (const CompletedProgram& program : programs)
         text += fmt::format("        {}) {} ;;\n", program.command, function_name(program.line->program()));

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/completion.h"
 #include "apps/own_completion.h"
+#include "base/text/format.h"
 
 namespace gsim::apps {
 
@@ -21,7 +21,7 @@ std::string fish_quoted(std::string_view text) {
 std::string value_flags(const Option& option) {
     if (option.is_flag()) return "";
     if (!offered(option).empty())
-        return fmt::format(" -x -a {}", fish_quoted(fmt::format("{}", fmt::join(offered(option), " "))));
+        return fmt::format(" -x -a {}", fish_quoted(text::joined(offered(option), " ")));
     if (option.file == FileKind::folder) return " -x -a '(__fish_complete_directories)'";
     return option.file == FileKind::none ? " -x" : " -r -F";
 }
@@ -62,7 +62,7 @@ std::string fish_completion(const CommandLine& front, std::span<const CompletedP
     for (const CompletedProgram& program : programs) commands.push_back(program.command);
     text += "complete -c gsim -x -n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'\n";
     text += fmt::format("complete -c gsim -x -n '__fish_seen_subcommand_from help manual' -a '{}'\n",
-                        fmt::join(commands, " "));
+                        text::joined(commands, " "));
     for (const CompletedProgram& program : programs) {
         const CommandLine& line = *program.line;
         text += fmt::format("\n{}", option_lines("-c " + line.program(), line));

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "apps/completion.h"
 #include "apps/own_completion.h"
+#include "base/text/format.h"
 
 namespace gsim::apps {
 
@@ -23,7 +23,7 @@ std::string zsh_quoted(std::string_view text) {
 }
 
 std::string action(const Option& option) {
-    if (!offered(option).empty()) return fmt::format("({})", fmt::join(offered(option), " "));
+    if (!offered(option).empty()) return fmt::format("({})", text::joined(offered(option), " "));
     if (option.file == FileKind::folder) return "_files -/";
     return option.file == FileKind::none ? " " : "_files";
 }
@@ -97,7 +97,7 @@ std::string zsh_completion(const CommandLine& front, std::span<const CompletedPr
     for (const CompletedProgram& program : programs) commands.push_back(program.command);
     text += "    completion)\n        _arguments ':shell:(bash zsh fish)'\n        ;;\n";
     text += fmt::format("    help|manual)\n        _arguments ':command:({})'\n        ;;\n",
-                        fmt::join(commands, " "));
+                        text::joined(commands, " "));
     for (const CompletedProgram& program : programs) text += program_case(program);
     return text + "    esac\n}\n\n_gsim \"$@\"\n";
 }

@@ -16,7 +16,6 @@
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "apps/programs.h"
-#include "apps/studio_answer.h"
 #include "apps/suggestion.h"
 #include "apps/usage_error.h"
 #include "apps/version.h"
@@ -47,10 +46,10 @@ int printed(const std::string& text) {
     return kDone;
 }
 
-CommandLine front_line() {
+CommandLine front_line(const FrontPrograms& front) {
     CommandLine line(kFront,
                      "Tells what a part program will do on a machine, how long it takes and what goes wrong");
-    for (const ProgramEntry& entry : programs()) {
+    for (const ProgramEntry& entry : front.programs) {
         const std::string description = entry.make()->command_line().description();
         line.add_command(std::string(entry.command), fmt::format("{} ({})", description, entry.name));
     }
@@ -67,19 +66,19 @@ CommandLine front_line() {
     return line;
 }
 
-const ProgramEntry* find_named(const std::string& name) {
-    for (const ProgramEntry& entry : programs()) {
+const ProgramEntry* find_named(const FrontPrograms& front, const std::string& name) {
+    for (const ProgramEntry& entry : front.programs) {
         if (name == entry.name) return &entry;
     }
     return nullptr;
 }
 
 // By its command or by its name, which some know better.
-const ProgramEntry* find_program(const std::string& word) {
-    for (const ProgramEntry& entry : programs()) {
+const ProgramEntry* find_program(const FrontPrograms& front, const std::string& word) {
+    for (const ProgramEntry& entry : front.programs) {
         if (word == entry.command) return &entry;
     }
-    return find_named(word);
+    return find_named(front, word);
 }
 
 // What keeps a program from being run, as text or as JSON.
@@ -103,75 +102,75 @@ int run_program(const ProgramEntry& entry, Arguments arguments) {
     return program->run();
 }
 
-int unknown_command(const std::string& word) {
-    const CommandLine line = front_line();
+int unknown_command(const FrontPrograms& front, const std::string& word) {
+    const CommandLine line = front_line(front);
     std::vector<std::string_view> known;
     for (const CommandLine& command : line.commands()) known.emplace_back(command.program());
     return usage_error(kFront, fmt::format("there is no command '{}'{}\n{}: gsim --help tells what there is",
                                            word, did_you_mean(word, known), kFront));
 }
 
-int print_help(Arguments words) {
+int print_help(const FrontPrograms& front, Arguments words) {
     if (words.empty() || words.front() == kFront) {
-        const CommandLine line = front_line();
+        const CommandLine line = front_line(front);
         return printed(help_text(line, &line));
     }
-    const ProgramEntry* entry = find_program(words.front());
-    if (entry == nullptr) return unknown_command(words.front());
+    const ProgramEntry* entry = find_program(front, words.front());
+    if (entry == nullptr) return unknown_command(front, words.front());
     const std::unique_ptr<Program> program = entry->make();
     return printed(help_text(program->command_line(), &program->command_line()));
 }
 
-int print_manual(Arguments words) {
+int print_manual(const FrontPrograms& front, Arguments words) {
     std::vector<std::string> pages{kFront};
-    for (const ProgramEntry& entry : programs()) pages.emplace_back(entry.name);
-    if (words.empty() || words.front() == kFront) return printed(man_page(front_line(), pages));
-    const ProgramEntry* entry = find_program(words.front());
-    return entry == nullptr ? unknown_command(words.front())
+    for (const ProgramEntry& entry : front.programs) pages.emplace_back(entry.name);
+    if (words.empty() || words.front() == kFront) return printed(man_page(front_line(front), pages));
+    const ProgramEntry* entry = find_program(front, words.front());
+    return entry == nullptr ? unknown_command(front, words.front())
                             : printed(man_page(entry->make()->command_line(), pages));
 }
 
-int print_completion(Arguments words) {
+int print_completion(const FrontPrograms& front, Arguments words) {
     std::vector<std::unique_ptr<Program>> made;
     std::vector<CompletedProgram> completed;
-    for (const ProgramEntry& entry : programs()) {
+    for (const ProgramEntry& entry : front.programs) {
         made.push_back(entry.make());
         completed.push_back({std::string(entry.command), &made.back()->command_line()});
     }
     const std::string shell = words.empty() ? "" : words.front();
-    if (shell == "bash") return printed(bash_completion(front_line(), completed));
-    if (shell == "zsh") return printed(zsh_completion(front_line(), completed));
-    if (shell == "fish") return printed(fish_completion(front_line(), completed));
+    if (shell == "bash") return printed(bash_completion(front_line(front), completed));
+    if (shell == "zsh") return printed(zsh_completion(front_line(front), completed));
+    if (shell == "fish") return printed(fish_completion(front_line(front), completed));
     return usage_error(kFront, "completion is for bash, zsh or fish; name one of them");
 }
 
-int run_command(Arguments arguments) {
+int run_command(const FrontPrograms& front, Arguments arguments) {
     if (arguments.empty()) {
-        print_help({});
+        print_help(front, {});
         return kUsage;
     }
     const std::string& word = arguments.front();
     const Arguments rest = arguments.subspan(1);
-    if (word == "--help" || word == "-h" || word == kHelp.name) return print_help(rest);
+    if (word == "--help" || word == "-h" || word == kHelp.name) return print_help(front, rest);
     if (word == "--version") return printed(version_text(kFront));
-    if (word == kManual.name) return print_manual(rest);
-    if (word == kCompletion.name) return print_completion(rest);
-    if (word == kStudioAnswer) return answer_studio(rest);
-    const ProgramEntry* entry = find_program(word);
-    return entry == nullptr ? unknown_command(word) : run_program(*entry, rest);
+    if (word == kManual.name) return print_manual(front, rest);
+    if (word == kCompletion.name) return print_completion(front, rest);
+    if (word == kStudioAnswer && front.studio_answer != nullptr) return front.studio_answer(rest);
+    const ProgramEntry* entry = find_program(front, word);
+    return entry == nullptr ? unknown_command(front, word) : run_program(*entry, rest);
 }
 
 }  // namespace
 
-int run_front(const std::string& called, std::span<const std::string> arguments) {
+int run_front(const FrontPrograms& front, const std::string& called, std::span<const std::string> arguments) {
     const std::string name = std::filesystem::path(called).filename().string();
-    const ProgramEntry* entry = find_named(name);
+    const ProgramEntry* entry = find_named(front, name);
     const auto failed = [&](const char* why) {
         if (entry == nullptr) return usage_error(kFront, why);
         return refuse(*entry, arguments, text::DiagnosticKind::internal, why);
     };
     try {
-        return entry == nullptr ? run_command(arguments) : run_program(*entry, arguments);
+        return entry == nullptr ? run_command(front, arguments) : run_program(*entry, arguments);
     } catch (const std::bad_alloc&) {
         return failed("out of memory");
     } catch (const std::exception& error) {

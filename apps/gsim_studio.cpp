@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "apps/exit_status.h"
@@ -17,6 +16,7 @@
 #include "apps/usage_error.h"
 #include "apps/version.h"
 #include "base/os/installation.h"
+#include "base/text/json.h"
 #include "engine/request.h"
 
 namespace gsim::apps {

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/ranges.h>
-
 #include "apps/confine_run.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
@@ -21,6 +19,7 @@
 #include "apps/program_files.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
+#include "base/text/format.h"
 #include "engine/path_translation.h"
 #include "engine/system/host_of_system.h"
 
@@ -73,7 +72,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.begin_group("Control and machine");
     line.add("--dialect", &a.post,
              fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
-                         fmt::join(engine::post_names(), ", ")))
+                         text::joined(engine::post_names(), ", ")))
         .called("NAME|FILE")
         .of_file(FileKind::input, {".toml"})
         .or_name()
@@ -159,7 +158,7 @@ int write_program(const engine::PathTranslation& program, const WriteArguments& 
 }
 
 /// A path with a mistake, or one that the machine or the control cannot do, is no fault of who runs this.
-int tell_failure(apps::Findings& findings, const engine::Failure& failure) {
+int report_path_failure(apps::Findings& findings, const engine::Failure& failure) {
     if (!failure.in_program) return findings.fail(failure);
     findings.take(text::diagnostic_of(Kind::path, failure.message));
     return apps::kProgramFault;
@@ -224,9 +223,9 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     if (!program) return findings.fail(program.error());
     if (auto confined = confine_writing(a, program->path_file()); !confined)
         return findings.fail(Kind::usage, confined.error());
-    if (const auto read = program->read(); !read) return tell_failure(findings, read.error());
+    if (const auto read = program->read(); !read) return report_path_failure(findings, read.error());
     const apps::CpuBackstop of_planning(program->cpu_left_s());
-    if (const auto planned = program->plan(); !planned) return tell_failure(findings, planned.error());
+    if (const auto planned = program->plan(); !planned) return report_path_failure(findings, planned.error());
     for (const std::string& note : program->notes()) {
         if (!a.quiet) findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = note});
     }

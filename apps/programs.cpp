@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "apps/studio_answer.h"
+
 namespace gsim::apps {
 
 namespace {
@@ -18,8 +20,8 @@ constexpr std::array<ProgramEntry, 7> kPrograms{{
 
 }  // namespace
 
-std::span<const ProgramEntry> programs() {
-    return kPrograms;
+FrontPrograms all_programs() {
+    return {.programs = kPrograms, .studio_answer = answer_studio};
 }
 
 }  // namespace gsim::apps

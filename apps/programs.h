@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "apps/program.h"
@@ -24,7 +25,17 @@ struct ProgramEntry {
     std::unique_ptr<Program> (*make)();
 };
 
-/// All programs, those that people begin with first.
-std::span<const ProgramEntry> programs();
+/// What one executable offers.
+struct FrontPrograms {
+    std::span<const ProgramEntry> programs;  ///< Those that people begin with first.
+    /// Answers gsim-serve, by which alone it is called; null if this executable does not.
+    int (*studio_answer)(std::span<const std::string> arguments) = nullptr;
+};
+
+/// All programs: what gsim has.
+FrontPrograms all_programs();
+
+/// Translation and simulation: what `make run` builds first.
+FrontPrograms first_programs();
 
 }  // namespace gsim::apps

@@ -14,14 +14,14 @@ namespace gsim::apps {
 
 namespace {
 
-struct Written {
+struct WrittenFile {
     std::string option;
     std::string name;
 };
 
 /// What the run of one robot writes; of several, what they write together is not among it.
-std::vector<Written> written_by(const RunArguments& arguments, const OutputNames& outputs) {
-    std::vector<Written> written;
+std::vector<WrittenFile> written_by(const RunArguments& arguments, const OutputNames& outputs) {
+    std::vector<WrittenFile> written;
     const auto add = [&](const char* option, const std::string& name) {
         if (!name.empty()) written.push_back({option, name});
     };
@@ -33,10 +33,11 @@ std::vector<Written> written_by(const RunArguments& arguments, const OutputNames
     return written;
 }
 
-std::optional<std::string> conflict(const std::vector<Written>& written, const engine::Run::NamedFile& file) {
+std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
+                                    const engine::Run::NamedFile& file) {
     const auto identity = os::identity_of(file.name);
     if (!identity) return std::nullopt;
-    for (const Written& output : written) {
+    for (const WrittenFile& output : written) {
         if (output.name.empty() || os::identity_of(output.name) != identity) continue;
         if (file.robot.empty()) {
             return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
@@ -75,9 +76,9 @@ std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, co
         }
         return std::nullopt;
     }
-    const std::vector<Written> common{{"--report", arguments.outputs.report},
-                                      {"--view", arguments.outputs.view},
-                                      {"--sarif", arguments.findings.sarif}};
+    const std::vector<WrittenFile> common{{"--report", arguments.outputs.report},
+                                          {"--view", arguments.outputs.view},
+                                          {"--sarif", arguments.findings.sarif}};
     for (const auto& file : run.named_files()) {
         if (auto sentence = conflict(common, file)) return sentence;
     }

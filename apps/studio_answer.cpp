@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 
 #include "apps/confine_run.h"
@@ -25,6 +24,7 @@
 #include "base/os/file_handle.h"
 #include "base/os/installation.h"
 #include "base/text/base64.h"
+#include "base/text/json.h"
 #include "engine/system/host_of_system.h"
 #include "studio/engine/lean_message.h"
 #include "studio/engine/session.h"
@@ -219,7 +219,7 @@ int answer_studio(std::span<const std::string> arguments) {
     const auto files = std::make_shared<ServedFiles>(*std::move(folder));
     if (auto confined = confine(*files, module); !confined) return usage_error(kName, confined.error());
     const studio::Post post = post_of(arguments);
-    const auto asked = nlohmann::json::parse(all_of(stdin), nullptr, false);
+    const auto asked = text::try_parse_json<nlohmann::json>(all_of(stdin));
     if (!asked.is_object() || !asked.contains("request") || !take_files(asked, *files)) {
         studio::serve("", {}, post);  // says what a request should be
         return kDone;

@@ -9,8 +9,8 @@ target_compile_options(gsim_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -W
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(gsim_options INTERFACE -Wno-error -Wno-sign-conversion)
 endif()
-# g++ looks for garbage less often: a tenth of the time of a unit, for some 300 MB of memory.
-add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=400000>)
+# g++ looks for garbage less often: a fifth of the time of a unit, for some 400 MB of memory.
+add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=2000000>)
 # What is released is hardened, and does not tell where it was built.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT GSIM_SANITIZE AND NOT EMSCRIPTEN)
     add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
@@ -45,31 +45,41 @@ function(gsim_generated target)
 endfunction()
 
 # Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (presets release and sanitize) read
-# them once for all libraries, and once for all tests; debug builds and clang-tidy read each source as it stands, and so notice a missing
-# #include. Definitions change what headers say: all have those of fmt and Eigen, whether they link them or not.
+# them once: a set for all libraries, the same with nlohmann-json for those that include it (gsim_library(... JSON): its header has inline
+# functions that instantiate its parser in each unit, a third of a second), and a set for all tests. Debug builds and clang-tidy read each
+# source as it stands, and so notice a missing #include. Definitions change what headers say: all have those of fmt and Eigen, whether they
+# link them or not.
 option(GSIM_PRECOMPILE "Precompile the headers that most units read" ${CMAKE_UNITY_BUILD})
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
 if(GSIM_PRECOMPILE)
     target_link_libraries(gsim_options INTERFACE Eigen3::Eigen fmt::fmt)
-    set(headers <Eigen/Core> <Eigen/Geometry> <fmt/format.h> <tl/expected.hpp> <algorithm> <array> <cmath> <cstdio> <functional> <map>
-                <memory> <optional> <span> <string> <string_view> <utility> <vector> <nlohmann/json.hpp>)
+    set(headers <Eigen/Core> <Eigen/Geometry> <fmt/format.h> <tl/expected.hpp> <algorithm> <array> <cmath> <cstdio> <filesystem> <functional>
+                <map> <memory> <optional> <span> <string> <string_view> <utility> <vector>)
+    set(json_headers ${headers} ${CMAKE_SOURCE_DIR}/base/text/json.h)
     file(CONFIGURE OUTPUT precompiled.cpp CONTENT "int main() {}\n" @ONLY)
-    add_library(gsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
-    target_link_libraries(gsim_precompiled PRIVATE gsim_options)
-    target_precompile_headers(gsim_precompiled PRIVATE ${headers} ${CMAKE_SOURCE_DIR}/base/toml/toml_library.h)
+    foreach(set precompiled precompiled_json)
+        add_library(gsim_${set} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+        target_link_libraries(gsim_${set} PRIVATE gsim_options)
+    endforeach()
+    target_precompile_headers(gsim_precompiled PRIVATE ${headers})
+    target_precompile_headers(gsim_precompiled_json PRIVATE ${json_headers})
 endif()
 
-# gsim_library(NAME SOURCES... [LINK LIBS...]): a static library of one room.
+# gsim_library(NAME SOURCES... [LINK LIBS...] [JSON]): a static library of one room. JSON: most of its sources include nlohmann-json.
 function(gsim_library name)
-    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    cmake_parse_arguments(ARG "JSON" "" "LINK" ${ARGN})
     add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PUBLIC gsim_options ${ARG_LINK})
     if(EMSCRIPTEN AND name MATCHES "^gsim_(lexer|grammar|codegen|script|motion|simulation|cell)$")
         target_compile_options(${name} PRIVATE -O2)
     endif()
     if(GSIM_PRECOMPILE)
-        target_precompile_headers(${name} REUSE_FROM gsim_precompiled)
+        if(ARG_JSON)
+            target_precompile_headers(${name} REUSE_FROM gsim_precompiled_json)
+        else()
+            target_precompile_headers(${name} REUSE_FROM gsim_precompiled)
+        endif()
     endif()
 endfunction()
 
@@ -97,14 +107,14 @@ if(GSIM_PRECOMPILE AND GSIM_TESTS)
     add_executable(gsim_precompiled_for_tests ${CMAKE_BINARY_DIR}/precompiled.cpp)
     target_link_libraries(gsim_precompiled_for_tests PRIVATE gsim_options GTest::gtest GTest::gmock)
     gsim_test_options(gsim_precompiled_for_tests)
-    target_precompile_headers(gsim_precompiled_for_tests PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${headers} <random>)
+    target_precompile_headers(gsim_precompiled_for_tests PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${json_headers} <random>)
 endif()
 
 # gsim_test(NAME SOURCES... [LINK LIBS...]): a GoogleTest program, one ctest entry for each of its cases.
 function(gsim_test name)
     cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
-    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} gsim_text GTest::gtest GTest::gmock GTest::gtest_main)
     gsim_test_options(${name})
     if(GSIM_PRECOMPILE)
         target_precompile_headers(${name} REUSE_FROM gsim_precompiled_for_tests)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "codegen/expression_writer.h"
 
 namespace gsim::codegen {
@@ -44,7 +45,7 @@ void BlockValues::write(const Block& block, std::string& out) const {
 
 void BlockValues::write_name(std::uint32_t word, std::string& out) const {
     const auto place = std::lower_bound(words_.begin(), words_.end(), word);
-    fmt::format_to(std::back_inserter(out), "w{}", place - words_.begin() + 1);
+    text::append_format(out, "w{}", place - words_.begin() + 1);
 }
 
 Settings::Settings(const Block& block) : block_(block) {

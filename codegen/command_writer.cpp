@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "base/text/number.h"
 #include "base/text/read_number.h"
@@ -158,7 +159,7 @@ void CommandWriter::write_call(const SourceLines& lines, std::string_view name,
     }
     std::string_view between = "{";
     for (const auto& [key, value, column] : parameters) {
-        fmt::format_to(std::back_inserter(code_), "{}{}=", between, text::lower(key));
+        text::append_format(code_, "{}{}=", between, text::lower(key));
         between = ", ";
         if (has_word(texts, key)) {
             write_lua_string(value, code_);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/number.h"
 #include "codegen/lua_text.h"
 
@@ -72,7 +73,7 @@ bool is_near_relation(Operator op) {
 /// A parameter's name as a field: p.width, or p["2nd edge"] where it is no name of Lua.
 void write_named(std::string_view name, std::string& out) {
     if (is_lua_name(name)) {
-        fmt::format_to(std::back_inserter(out), "p.{}", name);
+        text::append_format(out, "p.{}", name);
     } else {
         out += "p[";
         write_lua_string(name, out);
@@ -201,7 +202,7 @@ void write_number(const Block& block, std::int32_t index, std::string& out) {
     const Node& node = block.node(index);
     switch (node.kind) {
         case NodeKind::number: write_float(block.text->view(node.number), out); return;
-        case NodeKind::variable: fmt::format_to(std::back_inserter(out), "v[{}]", node.left); return;
+        case NodeKind::variable: text::append_format(out, "v[{}]", node.left); return;
         case NodeKind::indirect:
             out += "v[";
             write_number(block, node.left, out);

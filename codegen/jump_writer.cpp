@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "codegen/expression_writer.h"
 #include "codegen/lua_writer.h"
 #include "codegen/word_writer.h"
@@ -104,19 +105,18 @@ bool LuaWriter::ends_pass(const Block& block, std::uint32_t target) const {
 
 void LuaWriter::write_jump_to(const Block& block, std::uint32_t target, std::uint32_t column) {
     flow_.add_jump(target, block.text->at(column));
-    if (ends_pass(block, target))
-        fmt::format_to(std::back_inserter(code_), "if last_pass({}) then return end ", target);
-    fmt::format_to(std::back_inserter(code_), "goto N{}", target);
+    if (ends_pass(block, target)) text::append_format(code_, "if last_pass({}) then return end ", target);
+    text::append_format(code_, "goto N{}", target);
 }
 
 void LuaWriter::write_computed_jump() {
-    fmt::format_to(std::back_inserter(code_), "goto {}", flow_.add_computed_jump());
+    text::append_format(code_, "goto {}", flow_.add_computed_jump());
 }
 
 void LuaWriter::write_choice(std::span<const std::uint32_t> numbers) {
     flow_.add_weight(numbers.size() * kInstructionsPerChoice);
     for (const std::uint32_t number : numbers)
-        fmt::format_to(std::back_inserter(code_), "if jump == {} then goto N{} end ", number, number);
+        text::append_format(code_, "if jump == {} then goto N{} end ", number, number);
 }
 
 void LuaWriter::write_dispatcher() {
@@ -130,9 +130,9 @@ void LuaWriter::write_dispatcher() {
 void LuaWriter::write_loop_dispatcher() {
     const auto targets = flow_.loop_targets();
     if (!targets) return;
-    fmt::format_to(std::back_inserter(code_), "goto {} ::{}:: ", targets->end, targets->label);
+    text::append_format(code_, "goto {} ::{}:: ", targets->end, targets->label);
     write_choice(targets->numbers);
-    fmt::format_to(std::back_inserter(code_), "goto {} ::{}:: ", targets->outer, targets->end);
+    text::append_format(code_, "goto {} ::{}:: ", targets->outer, targets->end);
 }
 
 }  // namespace gsim::codegen

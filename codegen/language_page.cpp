@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "grammar/control_name.h"
 #include "grammar/dialect.h"
@@ -27,7 +28,7 @@ class Page {
   public:
     template <typename... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text::append_format(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
     std::string take() { return std::move(text_); }

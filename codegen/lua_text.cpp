@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
+
 namespace gsim::codegen {
 
 namespace {
@@ -40,7 +42,7 @@ void write_lua_string(std::string_view text, std::string& out) {
         } else if (c >= ' ' && c < 0x7f) {
             out += c;
         } else {
-            fmt::format_to(std::back_inserter(out), "\\x{:02X}", static_cast<unsigned char>(c));
+            text::append_format(out, "\\x{:02X}", static_cast<unsigned char>(c));
         }
     }
     out += '"';

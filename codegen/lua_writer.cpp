@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/trimmed.h"
 #include "codegen/active_comment.h"
 #include "codegen/block_values.h"
@@ -191,7 +192,7 @@ void LuaWriter::write_block(const Block& block) {
     }
     const bool label =
         block.sequence && flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
-    if (label) fmt::format_to(std::back_inserter(code_), "::N{}:: ", *block.sequence);
+    if (label) text::append_format(code_, "::N{}:: ", *block.sequence);
     const std::size_t labelled = code_.size();
     write_statements(block);
     if (code_.size() > labelled) {
@@ -208,8 +209,7 @@ void LuaWriter::write_statements(const Block& block) {
                     "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
     const std::size_t before = code_.size();
-    if (block.skip_level > 0)
-        fmt::format_to(std::back_inserter(code_), "if not skipped({}) then ", block.skip_level);
+    if (block.skip_level > 0) text::append_format(code_, "if not skipped({}) then ", block.skip_level);
     const std::size_t body = code_.size();
     flow_.add_weight(block.nodes.size() * kInstructionsPerNode +
                      (block.skip_level > 0 ? kInstructionsPerTest : 0));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "codegen/expression_writer.h"
 #include "codegen/lua_limits.h"
 #include "codegen/lua_text.h"
@@ -142,9 +143,9 @@ void OWordFlow::check_length(const Structure& structure, const lexer::Location& 
 }
 
 void OWordFlow::write_end(const Structure& structure, std::string& out) const {
-    if (structure.continued) fmt::format_to(std::back_inserter(out), "::continue_{}:: ", structure.id);
+    if (structure.continued) text::append_format(out, "::continue_{}:: ", structure.id);
     if (structure.kind != Flow::sub) out += "end ";
-    if (structure.left) fmt::format_to(std::back_inserter(out), "::break_{}:: ", structure.id);
+    if (structure.left) text::append_format(out, "::break_{}:: ", structure.id);
 }
 
 void OWordFlow::write_sub_end(const Block& block, std::string& out) {
@@ -180,11 +181,11 @@ void OWordFlow::write_while(const Block& block, std::string& out) {
     const Structure structure = open_.back();
     check_length(structure, block.text->at(block.flow_column));
     open_.pop_back();
-    if (structure.continued) fmt::format_to(std::back_inserter(out), "::continue_{}:: ", structure.id);
+    if (structure.continued) text::append_format(out, "::continue_{}:: ", structure.id);
     out += "until not (";
     write_condition(block, block.arguments[0], out);
     out += ") ";
-    if (structure.left) fmt::format_to(std::back_inserter(out), "::break_{}:: ", structure.id);
+    if (structure.left) text::append_format(out, "::break_{}:: ", structure.id);
 }
 
 void OWordFlow::write_jump(const Block& block, std::string& out) {
@@ -195,13 +196,13 @@ void OWordFlow::write_jump(const Block& block, std::string& out) {
         if (structure->name == name_of(block)) {
             if (block.flow == Flow::continue_) {
                 structure->continued = true;
-                fmt::format_to(std::back_inserter(out), "goto continue_{} ", structure->id);
+                text::append_format(out, "goto continue_{} ", structure->id);
             } else if (innermost) {
                 out += "break ";
             } else {
                 // Lua's break leaves the innermost loop alone; O-words name theirs.
                 structure->left = true;
-                fmt::format_to(std::back_inserter(out), "goto break_{} ", structure->id);
+                text::append_format(out, "goto break_{} ", structure->id);
             }
             return;
         }

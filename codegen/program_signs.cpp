@@ -33,7 +33,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-std::string without_blanks(std::string_view text) {
+std::string blanks_removed(std::string_view text) {
     std::string out;
     std::copy_if(text.begin(), text.end(), std::back_inserter(out),
                  [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
@@ -169,7 +169,7 @@ std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source, const g
     PlainLines lines(source);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.text());
-        const std::string packed = without_blanks(line);
+        const std::string packed = blanks_removed(line);
         std::optional<Sign> sign = foreign_sign(line);
         if (!sign) sign = as_ngc ? ab9_sign(packed) : ngc_sign(packed);
         if (sign && sign->sure) return note_of(source, lines.number(), *sign);

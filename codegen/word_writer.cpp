@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/number.h"
 #include "codegen/call_codes.h"
 #include "codegen/expression_writer.h"
@@ -84,7 +85,7 @@ void write_words(const Block& block, std::span<const std::uint32_t> words, bool 
         out += separator;
         if (separator == ',') out += ' ';
         if (in_order && is_repeatable(word.address)) {
-            fmt::format_to(std::back_inserter(out), "{{\"{}\", ", lua_key(word.address));
+            text::append_format(out, "{{\"{}\", ", lua_key(word.address));
         } else {
             out += lua_key(word.address);
             out += '=';
@@ -130,12 +131,12 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, con
                 std::string& out, std::string_view further) {
     const Word& word = block.text->words[call.word];
     if (call.kind == Call::Kind::unknown) {
-        fmt::format_to(std::back_inserter(out), "unknown_code(\"{}{}\") ", static_cast<char>(word.address),
-                       block.text->view(word.number));
+        text::append_format(out, "unknown_code(\"{}{}\") ", static_cast<char>(word.address),
+                            block.text->view(word.number));
         return;
     }
     if (call.kind == Call::Kind::computed) {
-        fmt::format_to(std::back_inserter(out), "code(\"{}\", ", static_cast<char>(word.address));
+        text::append_format(out, "code(\"{}\", ", static_cast<char>(word.address));
         write_value(block, call.word, values, out);
         out += ") ";
         return;

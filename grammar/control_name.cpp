@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 
 namespace gsim::grammar {
@@ -121,9 +122,10 @@ std::vector<std::string> control_names() {
 std::string control_table() {
     std::string table = "| control | dialect | to mind |\n| --- | --- | --- |\n";
     for (const Control& control : kControls) {
-        fmt::format_to(std::back_inserter(table), "| `{}` | {} | {} |\n", control.name,
-                       control.dialect.empty() ? std::string("none") : fmt::format("`{}`", control.dialect),
-                       control.caution);
+        text::append_format(
+            table, "| `{}` | {} | {} |\n", control.name,
+            control.dialect.empty() ? std::string("none") : fmt::format("`{}`", control.dialect),
+            control.caution);
     }
     return table;
 }

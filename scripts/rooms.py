@@ -14,6 +14,9 @@ HEADING = "## Rooms"
 FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every room
 EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 
+# Through it all include nlohmann-json.
+JSON_HEADER = "base/text/json.h"
+
 # Who makes a header that is no file of ours, by how its name begins or ends.
 EXTERNAL = (
     (r"fmt/.*", "fmt"), (r"fast_float/.*", "fast_float"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
@@ -66,6 +69,8 @@ def uses(root, rooms):
             use = room_of(include[2], rooms) if ours else maker_of(include[2])
             if use and use != room:
                 used[room].setdefault(use, f"{file}:{number}")
+            if include[2] == JSON_HEADER:
+                used[room].setdefault("nlohmann-json", f"{file}:{number}")
     return used, homeless
 
 

@@ -23,7 +23,7 @@ namespace {
 using Kind = FolderFault::Kind;
 
 constexpr int kDeepest = 32;
-constexpr int kMostNames = 1000;  // names of temporary files
+constexpr int kMaxTemporaryNames = 1000;  // names of temporary files
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
 
 std::string sentence_of(int error) {
@@ -105,7 +105,7 @@ bool write_all(int file, std::string_view piece) {
 class FileBeside {
   public:
     static tl::expected<FileBeside, int> make(int folder, const std::string& file) {
-        for (int i = 0; i < kMostNames; ++i) {
+        for (int i = 0; i < kMaxTemporaryNames; ++i) {
             std::string name = fmt::format(".{}.{}-{}.tmp", file.substr(0, 200), ::getpid(), i);
             Descriptor made(
                 ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));

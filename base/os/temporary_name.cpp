@@ -13,12 +13,12 @@ namespace gsim::os {
 namespace {
 
 constexpr std::array kEnding = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
-constexpr int kNotTold = 2;               // as where any output cannot be written
-constexpr std::size_t kMostNames = 4096;  // more than a process may have files open, as a rule
+constexpr int kNotTold = 2;                        // as where any output cannot be written
+constexpr std::size_t kMaxRegisteredNames = 4096;  // more than a process may have files open, as a rule
 
 // The only state of the program that no object holds: a signal handler is given nothing but a number, and may
-// look at nothing but lock-free atomics. A name beyond kMostNames is not removed at a signal.
-std::array<std::atomic<const char*>, kMostNames> registered_names{};
+// look at nothing but lock-free atomics. A name beyond kMaxRegisteredNames is not removed at a signal.
+std::array<std::atomic<const char*>, kMaxRegisteredNames> registered_names{};
 std::atomic<pid_t> registering_process = 0;
 std::atomic<const char*> words_at_cpu_signal = nullptr;
 std::atomic<int> status_at_cpu_signal = 0;

@@ -2,9 +2,8 @@
 
 #include <span>
 
-#include <nlohmann/json.hpp>
-
 #include "base/text/diagnostic.h"
+#include "base/text/json.h"
 
 namespace gsim::text {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
+#include "base/text/format.h"
 #include "base/text/utf8.h"
 
 namespace gsim::text {
@@ -43,7 +44,7 @@ double rounded(double value) {
 void append_number(fmt::memory_buffer& out, double value) {
     if (!std::isfinite(value)) return append_text(out, "null");
     if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kUnits));
-    fmt::format_to(std::back_inserter(out), "{}", value);
+    text::append_format(out, "{}", value);
 }
 
 void append_json_string(fmt::memory_buffer& out, std::string_view text) {
@@ -57,7 +58,7 @@ void append_json_string(fmt::memory_buffer& out, std::string_view text) {
             out.push_back('\\');
             out.push_back(c);
         } else if (static_cast<unsigned char>(c) < 0x20) {
-            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+            text::append_format(out, "\\u{:04x}", static_cast<unsigned>(c));
         } else {
             append_text(out, text.substr(0, length));
         }

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "base/toml/toml_path.h"
 #include "base/toml/toml_sheet.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 namespace gsim::base {
 

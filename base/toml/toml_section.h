@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 #include "base/toml/toml_library.h"
 
@@ -144,7 +144,7 @@ class TomlSection {
         const auto found = value ? std::find(names.begin(), names.end(), *value) : names.end();
         if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
         fail(key, fmt::format("'{}' must be \"{}\" or \"{}\"", key,
-                              fmt::join(names.first(names.size() - 1), "\", \""), names.back()));
+                              text::joined(names.first(names.size() - 1), "\", \""), names.back()));
         return fallback;
     }
 
@@ -193,7 +193,7 @@ class TomlSection {
         if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) return;
         const auto nearest = text::nearest_name(name, known_keys);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                         : fmt::format("it may hold: {}", fmt::join(known_keys, ", "));
+                                         : fmt::format("it may hold: {}", text::joined(known_keys, ", "));
         error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));
     }
 

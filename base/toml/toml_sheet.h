@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/toml/toml_json.h"
 #include "base/toml/toml_layout.h"
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
+
 namespace gsim::base {
 
 std::string toml_string(std::string_view text) {
@@ -36,7 +38,7 @@ void TomlText::section(std::string_view header) {
 }
 
 void TomlText::line(std::string_view key, std::string_view value) {
-    fmt::format_to(std::back_inserter(text_), "{} = {}\n", key, value);
+    text::append_format(text_, "{} = {}\n", key, value);
 }
 
 void TomlText::limit(std::string_view key, double value) {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/text/base64.h"
+#include "base/text/json.h"
 #include "batch/pages/history_text.h"
 #include "batch/pages/page_text.h"
 
@@ -28,7 +28,7 @@ std::string time_with_interval(const Case& of, const WholeRun& run) {
 }
 
 std::string extents_text(const std::string& extents) {
-    const auto read = ordered_json::parse(extents, nullptr, false);
+    const auto read = text::try_parse_json<ordered_json>(extents);
     std::string text;
     for (const auto& [axis, range] : read.items()) {
         if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
@@ -87,7 +87,7 @@ std::string finding_text(const ordered_json& told) {
 std::string kept_findings(const RunFacts& facts, const WholeRun& run) {
     std::string items;
     std::int64_t count = 0;
-    for (const ordered_json& told : ordered_json::parse(run.findings, nullptr, false)) {
+    for (const ordered_json& told : text::try_parse_json<ordered_json>(run.findings)) {
         if (told.is_object()) items += finding_text(told);
         count += told.is_object() ? 1 : 0;
     }

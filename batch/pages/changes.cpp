@@ -5,7 +5,8 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::batch {
 
@@ -29,7 +30,7 @@ bool has_other_counts(const RunFacts& before, const RunFacts& now) {
 /// How often each thing is told, wherever: lines move when a remark is added.
 std::map<std::string, int> told_in(const std::string& findings) {
     std::map<std::string, int> told;
-    for (const json& each : json::parse(findings, nullptr, false)) {
+    for (const json& each : text::try_parse_json<json>(findings)) {
         if (each.is_object()) ++told[each.value("code", json()).dump() + each.value("text", json()).dump()];
     }
     return told;

@@ -1,8 +1,8 @@
 #include "batch/pages/page_text.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/printable.h"
 #include "base/text/xml_text.h"
 
@@ -107,7 +107,7 @@ std::string machine_named(std::string_view machine) {
 }
 
 std::string settings_in(const std::string& settings) {
-    const auto read = ordered_json::parse(settings, nullptr, false);
+    const auto read = text::try_parse_json<ordered_json>(settings);
     if (!read.is_object()) return shown(settings);
     std::string text;
     for (const auto& [key, value] : read.items()) {

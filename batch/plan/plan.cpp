@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
 #include "base/text/utf8.h"
@@ -102,7 +103,7 @@ tl::expected<Names, std::string> find_programs(const std::string& name, const fs
     auto found = is_folder ? files_below(plain, is_program) : matches(name, folder);
     if (found && found->empty())
         return Fault(is_folder
-                         ? fmt::format("'{}' has no part programs ({})", plain, fmt::join(kEndings, ", "))
+                         ? fmt::format("'{}' has no part programs ({})", plain, text::joined(kEndings, ", "))
                          : fmt::format("nothing is called '{}'", plain));
     return found.and_then(all_of_utf8);
 }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "batch/plan/design.h"
 #include "batch/plan/setting.h"
 #include "batch/work/job.h"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
+
 namespace gsim::batch {
 
 namespace {
@@ -73,7 +75,7 @@ std::string print_plan_json(const Plan& plan) {
 
 tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
     try {
-        const json read = json::parse(text);
+        const json read = text::parse_json<json>(text);
         Plan plan;
         read.at("name").get_to(plan.name);
         read.at("programs").get_to(plan.programs);

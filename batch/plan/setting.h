@@ -4,8 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "batch/work/job.h"
 
 namespace gsim::batch {

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/toml/toml_section.h"
 #include "batch/plan/setting.h"
 

@@ -1,9 +1,9 @@
 #include "batch/run/known_runs.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/installation.h"
+#include "base/text/json.h"
 #include "batch/run/own_program.h"
 #include "batch/work/run_options.h"
 #include "batch/work/sha256.h"

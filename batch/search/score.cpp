@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/ranges.h>
-
+#include "base/text/format.h"
 #include "batch/search/figures.h"
 
 namespace gsim::batch {
@@ -55,7 +54,7 @@ tl::expected<std::vector<RunFigures>, std::string> read_figures(Database& result
     auto rows = results.prepare(
         fmt::format("SELECT run.id, status, cause, message, program, {} FROM batch_run JOIN run ON run.id = "
                     "batch_run.run WHERE batch = ? ORDER BY job",
-                    fmt::join(kFigures, ", ")));
+                    text::joined(kFigures, ", ")));
     if (!rows) return Fault(rows.error());
     rows->bind(1, batch);
     std::vector<RunFigures> found;

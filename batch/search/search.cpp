@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "batch/plan/design.h"
 #include "batch/search/evolution.h"
 #include "batch/search/space.h"

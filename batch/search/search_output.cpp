@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
-
+#include "base/text/format.h"
+#include "base/text/json.h"
 #include "base/text/xml_text.h"
 #include "batch/search/figures.h"
 #include "batch/work/run_commands.h"
@@ -82,7 +81,7 @@ std::string command_line(const Job& job) {
     const OpenCommand command = run_command(told_of(job));
     if (command.left_out.empty()) return shell_line(command.words);
     return fmt::format("{}   # without {}, which it has no word for", shell_line(command.words),
-                       fmt::join(command.left_out, ", "));
+                       text::joined(command.left_out, ", "));
 }
 
 std::string proof_text(const std::optional<Proof>& proof) {

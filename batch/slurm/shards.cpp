@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "base/text/json.h"
 #include "batch/plan/plan_json.h"
 
 namespace gsim::batch {
@@ -93,7 +93,7 @@ tl::expected<Shards, std::string> read_shards(const fs::path& folder) {
     const auto text = read_file(folder / "shards.json");
     if (!text) return tl::unexpected(text.error());
     try {
-        const json read = json::parse(*text);
+        const json read = text::parse_json<json>(*text);
         Shards shards;
         for_each_plain(shards, [&](const char* name, auto& value) { read.at(name).get_to(value); });
         shards.todo = numbers_in(read.at("todo"));

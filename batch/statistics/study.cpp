@@ -4,7 +4,8 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::batch {
 
@@ -34,7 +35,7 @@ tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> r
         if (!*row) return runs;
         runs[{std::string(rows->text(0)), std::string(rows->text(1))}].push_back(
             {std::string(rows->text(2)), std::string(rows->text(3)),
-             json::parse(std::string(rows->text(4)), nullptr, false), rows->number(5)});
+             text::try_parse_json<json>(std::string(rows->text(4))), rows->number(5)});
     }
 }
 
@@ -44,7 +45,7 @@ std::optional<double> number_in(const json& value) {
     if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
     const auto* text = value.get_ptr<const std::string*>();
     if (text == nullptr || (!text->starts_with("x ") && !text->starts_with("+ "))) return std::nullopt;
-    const json factor = json::parse(text->substr(2), nullptr, false);
+    const json factor = text::try_parse_json<json>(text->substr(2));
     return factor.is_number() ? std::optional(factor.get<double>()) : std::nullopt;
 }
 

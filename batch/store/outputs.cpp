@@ -6,8 +6,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/format.h"
+#include "base/text/json.h"
 #include "base/text/xml_text.h"
 #include "engine/diagnostic.h"
 #include "engine/findings.h"
@@ -42,7 +43,7 @@ std::string quoted_csv(std::string_view text) {
 }
 
 std::string line_of(const std::vector<std::string>& cells) {
-    return fmt::format("{}\r\n", fmt::join(cells, ","));
+    return fmt::format("{}\r\n", text::joined(cells, ","));
 }
 
 bool is_json(const std::string& column) {
@@ -55,7 +56,7 @@ json value_in(const Statement& row, int column) {
     if (row.is_number(column)) return row.number(column);
     const std::string text(row.text(column));
     if (!is_json(row.name(column))) return text;
-    json value = json::parse(text, nullptr, false);
+    json value = text::try_parse_json<json>(text);
     return value.is_discarded() ? json(text) : value;
 }
 
@@ -179,7 +180,7 @@ SqlDone write_sarif(Database& results, const Sink& sink) {
     std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, std::string, std::string>> known;
     auto gathered = for_each_row(
         results, "SELECT findings FROM latest WHERE findings <> '[]'", [&](const Statement& row) {
-            for (const json& told : json::parse(std::string(row.text(0)))) {
+            for (const json& told : text::parse_json<json>(std::string(row.text(0)))) {
                 engine::Diagnostic one = diagnostic_in(told);
                 if (known.emplace(one.file, one.line, one.column, one.code, one.text).second)
                     diagnostics.push_back(std::move(one));

@@ -4,8 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include <fmt/ranges.h>
-
+#include "base/text/format.h"
 #include "base/toml/toml_edit.h"
 #include "batch/work/path_job.h"
 #include "engine/machine_data.h"
@@ -106,7 +105,7 @@ std::string fault_of_key(const std::string& key) {
     const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                    [&](std::string_view each) { return key.starts_with(each); });
     if (kind == kKinds.end())
-        return fmt::format("'{}' should begin with '{}'", key, fmt::join(kKinds, "', '"));
+        return fmt::format("'{}' should begin with '{}'", key, text::joined(kKinds, "', '"));
     const std::vector<std::string> words = words_of(std::string_view(key).substr(kind->size()));
     if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); }))
         return fmt::format("'{}' has an empty name between its dots", key);

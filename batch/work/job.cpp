@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
+
 namespace gsim::batch {
 
 using nlohmann::json;
@@ -18,7 +20,7 @@ std::string print_job(const Job& job) {
 
 tl::expected<Job, std::string> read_job(std::string_view line) {
     try {
-        const json read = json::parse(line);
+        const json read = text::parse_json<json>(line);
         Job job{.number = read.at("number"),
                 .program = read.at("program"),
                 .machine = read.at("machine"),

@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::batch {
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <fmt/ranges.h>
-
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "batch/work/edits.h"
 #include "engine/machine.h"
@@ -59,7 +58,7 @@ tl::expected<std::string, Failure> post_for(const JobRequest& request, const eng
     if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
     return refused(
         fmt::format("how is a program written that '{}' reads? The option 'post' takes {}, or a file",
-                    dialect, fmt::join(posts, ", ")));
+                    dialect, text::joined(posts, ", ")));
 }
 
 /// Where the frame that the path goes along with stands.
@@ -114,7 +113,7 @@ std::string fault_of_path_key(const std::string& key) {
     return fmt::format(
         "of a path there are 'path.place.{}', 'path.order', 'path.feed_mm_min' and "
         "'path.NAME.feed_mm_min', not 'path.{}'",
-        fmt::join(kPlaces, "', 'path.place."), key);
+        text::joined(kPlaces, "', 'path.place."), key);
 }
 
 tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings) {

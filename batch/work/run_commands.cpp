@@ -6,8 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "batch/work/edits.h"
 #include "batch/work/path_job.h"
 
@@ -94,9 +93,9 @@ Gathered gathered_of(const RunTold& run, bool for_studio) {
         gathered.words.insert(gathered.words.end(), {"--machine", file_word(run.machine)});
         if (is_file_name(run.machine)) gathered.files.push_back(run.machine);
     }
-    json options = json::parse(run.options, nullptr, false);
+    json options = text::try_parse_json<json>(run.options);
     if (!options.is_object()) options = json::object();
-    const json settings = json::parse(run.settings, nullptr, false);
+    const json settings = text::try_parse_json<json>(run.settings);
     for (const auto& [key, value] : settings.items()) {
         if (key.starts_with(kOfRun)) {
             options[key.substr(kOfRun.size())] = value;

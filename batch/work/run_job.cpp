@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "batch/work/files_of_run.h"
 #include "batch/work/job_edits.h"
 #include "batch/work/path_job.h"
@@ -36,7 +36,9 @@ double cpu_now_s() {
 std::string findings_text(const std::vector<engine::Diagnostic>& diagnostics) {
     if (diagnostics.empty()) return "[]";
     const std::size_t count = std::min(diagnostics.size(), kMostFindings);
-    return json::parse(engine::findings_json(std::span(diagnostics).first(count))).at("diagnostics").dump();
+    return text::parse_json<json>(engine::findings_json(std::span(diagnostics).first(count)))
+        .at("diagnostics")
+        .dump();
 }
 
 void blame(RunRow& row, const engine::Diagnostic& told) {
@@ -121,7 +123,7 @@ std::optional<double> clearance_in(const json& report) {
 
 /// What stands in the report as JSON alone.
 void take_whole(RunRow& row, std::string text, bool keeps) {
-    const json report = json::parse(text);
+    const json report = text::parse_json<json>(text);
     if (const auto controller = report.find("controller");
         controller != report.end() && controller->is_string())
         row.controller = *controller;

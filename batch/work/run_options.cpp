@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 
 namespace gsim::batch {
@@ -117,7 +118,7 @@ tl::expected<void, std::string> check_option(std::string_view name, const json& 
         const auto nearest = text::nearest_name(name, names);
         return tl::unexpected(
             nearest ? fmt::format("there is no option '{}'; did you mean '{}'?", name, *nearest)
-                    : fmt::format("there is no option '{}'; there are: {}", name, fmt::join(names, ", ")));
+                    : fmt::format("there is no option '{}'; there are: {}", name, text::joined(names, ", ")));
     }
     if (is_of_kind(value, option->kind)) return {};
     return tl::unexpected(fmt::format("'{}' must be {}, not {}", name, wanted(option->kind), value.dump()));

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "batch/work/job_request.h"
 
 namespace gsim::batch {

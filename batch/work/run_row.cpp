@@ -1,7 +1,8 @@
 #include "batch/work/run_row.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::batch {
 
@@ -76,7 +77,7 @@ std::string print_row(const RunRow& row) {
 
 tl::expected<RunRow, std::string> read_row(std::string_view line) {
     try {
-        const json read = json::parse(line);
+        const json read = text::parse_json<json>(line);
         RunRow row;
         for_each_plain(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
         for_each_optional(

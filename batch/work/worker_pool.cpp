@@ -8,13 +8,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/os/spawn.h"
+#include "base/text/json.h"
 #include "batch/work/worker.h"
 
 namespace gsim::batch {

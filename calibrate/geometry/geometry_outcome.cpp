@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "calibrate/text/svg_head.h"
 #include "runtime/machine/machine_file.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/text/xml_text.h"
 #include "calibrate/text/svg_head.h"
 #include "runtime/machine/machine_file.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "cam/solid/contours_packet.h"
 #include "cam/solid/reader_process.h"
 
@@ -12,7 +13,7 @@ tl::expected<WallContours, std::string> read_contours(const std::filesystem::pat
     std::vector<std::string> settings{fmt::format("{}", options.tolerance_mm), options.kind, options.side,
                                       options.along_walls ? "walls" : "any"};
     std::string box;
-    if (options.box_mm) box = fmt::format("{}", fmt::join(*options.box_mm, " "));
+    if (options.box_mm) box = text::joined(*options.box_mm, " ");
     settings.push_back(box);
     for (const std::string& face : options.faces) settings.push_back("face:" + face);
     for (const std::string& edge : options.edges) settings.push_back("edge:" + edge);

@@ -55,20 +55,12 @@ struct JetShape {
 };
 
 /// Where the jet's middle is beside the edge.
-inline Vector middle_of(const JetPoint& at, const JetShape& jet) {
-    return at.edge_mm + jet.kerf_mm / 2 * at.aside;
-}
+Vector middle_of(const JetPoint& at, const JetShape& jet);
 
 /// Where it is beside the wall's lower edge.
-inline Vector low_middle_of(const JetPoint& at, const JetShape& jet) {
-    const Vector middle = middle_of(at, jet);
-    return middle + (at.low_mm - middle).dot(at.axis) * at.axis;
-}
+Vector low_middle_of(const JetPoint& at, const JetShape& jet);
 
 /// The tip, so high over the plane that touches the face at the edge.
-inline Vector tip_of(const JetPoint& at, const JetShape& jet) {
-    const double rise_mm = jet.height_mm - jet.kerf_mm / 2 * at.aside.dot(at.normal);
-    return middle_of(at, jet) + rise_mm / at.axis.dot(at.normal) * at.axis;
-}
+Vector tip_of(const JetPoint& at, const JetShape& jet);
 
 }  // namespace gsim::surface

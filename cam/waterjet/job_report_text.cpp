@@ -1,8 +1,8 @@
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/units.h"
 #include "cam/waterjet/job_report.h"
 
@@ -28,25 +28,23 @@ std::string source_text(const SettledValue& value) {
 }
 
 void append_plan(std::string& out, const CuttingPlan& plan) {
-    auto end = std::back_inserter(out);
-    fmt::format_to(end, "Cutting {}, {} mm\n", plan.material, plan.thickness_mm);
+    text::append_format(out, "Cutting {}, {} mm\n", plan.material, plan.thickness_mm);
     for (const SettledValue& value : plan.values) {
-        fmt::format_to(end, "  {:<18}{:>12.5g} {:<7}{}\n", value.name, value.value, value.unit,
-                       source_text(value));
+        text::append_format(out, "  {:<18}{:>12.5g} {:<7}{}\n", value.name, value.value, value.unit,
+                            source_text(value));
     }
-    for (const std::string& warning : plan.warnings) fmt::format_to(end, "  warning: {}\n", warning);
+    for (const std::string& warning : plan.warnings) text::append_format(out, "  warning: {}\n", warning);
 }
 
 void append_quantities(std::string& out, const JobPrice& price) {
-    auto end = std::back_inserter(out);
-    fmt::format_to(end, "\nJob\n  {:<18}{:>12.1f} mm\n", "cut length", price.cut_length_mm);
-    fmt::format_to(end, "  {:<18}{:>12}\n", "pierces", price.pierces);
-    fmt::format_to(end, "  {:<18}{:>12} of it piercing {}\n", "jet time", clock_text(price.jet_time_s),
-                   clock_text(price.pierce_time_s));
-    fmt::format_to(end, "  {:<18}{:>12}\n", "machine time", clock_text(price.machine_time_s));
-    fmt::format_to(end, "  {:<18}{:>12.1f} l\n", "water", price.water_l);
-    fmt::format_to(end, "  {:<18}{:>12.2f} kg, of it recycled {:.2f} kg\n", "abrasive", price.abrasive_kg,
-                   price.recycled_abrasive_kg);
+    text::append_format(out, "\nJob\n  {:<18}{:>12.1f} mm\n", "cut length", price.cut_length_mm);
+    text::append_format(out, "  {:<18}{:>12}\n", "pierces", price.pierces);
+    text::append_format(out, "  {:<18}{:>12} of it piercing {}\n", "jet time", clock_text(price.jet_time_s),
+                        clock_text(price.pierce_time_s));
+    text::append_format(out, "  {:<18}{:>12}\n", "machine time", clock_text(price.machine_time_s));
+    text::append_format(out, "  {:<18}{:>12.1f} l\n", "water", price.water_l);
+    text::append_format(out, "  {:<18}{:>12.2f} kg, of it recycled {:.2f} kg\n", "abrasive",
+                        price.abrasive_kg, price.recycled_abrasive_kg);
 }
 
 /// A time with the jet on, and what flows meanwhile.
@@ -56,33 +54,32 @@ std::string jet_text(const CuttingPlan& plan, double time_s) {
 }
 
 void append_accuracy(std::string& out, const JobReport& report) {
-    auto end = std::back_inserter(out);
     const CuttingPlan& plan = report.plan;
-    fmt::format_to(end, "\nAccuracy takes\n  {:<18}{}\n", "curves, corners",
-                   jet_text(plan, report.accuracy.slower_s));
+    text::append_format(out, "\nAccuracy takes\n  {:<18}{}\n", "curves, corners",
+                        jet_text(plan, report.accuracy.slower_s));
     if (report.accuracy.straightening_s) {
-        fmt::format_to(end, "  {:<18}{}, leaning {:.3g} deg at the cutting speed\n", "straight sides",
-                       jet_text(plan, *report.accuracy.straightening_s),
-                       straightening_lean_deg(plan, plan.cutting_speed_mm_min));
+        text::append_format(out, "  {:<18}{}, leaning {:.3g} deg at the cutting speed\n", "straight sides",
+                            jet_text(plan, *report.accuracy.straightening_s),
+                            straightening_lean_deg(plan, plan.cutting_speed_mm_min));
     } else {
-        fmt::format_to(end, "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
-                       "straight sides", 0, plan.taper_mm);
+        text::append_format(out,
+                            "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
+                            "straight sides", 0, plan.taper_mm);
     }
     if (plan.moving_pierce_s) {
-        fmt::format_to(end, "  {:<18}{}\n", "moving pierces",
-                       jet_text(plan, report.price.pierce_time_s -
-                                          plan.pierce_s * static_cast<double>(report.price.pierces)));
+        text::append_format(out, "  {:<18}{}\n", "moving pierces",
+                            jet_text(plan, report.price.pierce_time_s -
+                                               plan.pierce_s * static_cast<double>(report.price.pierces)));
     }
 }
 
 void append_bill(std::string& out, const JobReport& report) {
-    auto end = std::back_inserter(out);
-    fmt::format_to(end, "\nPrice\n");
+    text::append_format(out, "\nPrice\n");
     for (const PriceItem& item : report.price.items) {
-        fmt::format_to(end, "  {:<18}{:>12.4f} {:<7}at {:>9.2f}{:>12.2f}\n", item.name, item.quantity,
-                       item.unit, item.unit_price, item.cost());
+        text::append_format(out, "  {:<18}{:>12.4f} {:<7}at {:>9.2f}{:>12.2f}\n", item.name, item.quantity,
+                            item.unit, item.unit_price, item.cost());
     }
-    fmt::format_to(end, "  {:<50}{:>12.2f} {}\n", "total", report.price.total, report.currency);
+    text::append_format(out, "  {:<50}{:>12.2f} {}\n", "total", report.price.total, report.currency);
 }
 
 }  // namespace

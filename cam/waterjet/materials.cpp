@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 #include "base/toml/toml_text.h"
 
@@ -20,7 +20,7 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
     for (const Material& material : list) known.emplace_back(material.name);
     const auto nearest = text::nearest_name(name, known);
     const std::string hint = nearest ? fmt::format("did you mean {}?", base::toml_string(*nearest))
-                                     : fmt::format("known are {}", fmt::join(known, ", "));
+                                     : fmt::format("known are {}", text::joined(known, ", "));
     return tl::unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/text/format.h"
 #include "base/units.h"
 
 namespace gsim::codegen {
@@ -325,7 +326,7 @@ void GcodeWriter::action(std::string_view name) {
 }
 
 void GcodeWriter::comment(std::string_view text) {
-    fmt::format_to(std::back_inserter(text_), "({})", comment_text(text));
+    text::append_format(text_, "({})", comment_text(text));
     end_block();
 }
 

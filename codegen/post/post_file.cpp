@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/os/input_file.h"
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 #include "codegen/post/action_words.h"
 #include "codegen/post/embedded_posts.h"
@@ -173,7 +174,7 @@ class PostReader {
         for (const std::string_view place : kSetPlaces) {
             if (words.set.empty() || words.set.find(fmt::format("{{{}}}", place)) != std::string::npos)
                 continue;
-            section.fail("set", fmt::format("'set' must hold {{{}}}", fmt::join(kSetPlaces, "}, {")));
+            section.fail("set", fmt::format("'set' must hold {{{}}}", text::joined(kSetPlaces, "}, {")));
         }
     }
 
@@ -193,11 +194,11 @@ class PostReader {
     void read_probe(const toml::table& table) {
         TomlSection section(error_, table, "[probe]", kProbeKeys);
         post_.touch = lines(section, "touch", kTouchPlaces);
-        const std::string all = fmt::format("{}", fmt::join(post_.touch, "\n"));
+        const std::string all = text::joined(post_.touch, "\n");
         for (const std::string_view place : kNeededTouchPlaces) {
             if (all.find(fmt::format("{{{}}}", place)) == std::string::npos)
-                section.fail("touch",
-                             fmt::format("'touch' must hold {{{}}}", fmt::join(kNeededTouchPlaces, "}, {")));
+                section.fail("touch", fmt::format("'touch' must hold {{{}}}",
+                                                  text::joined(kNeededTouchPlaces, "}, {")));
         }
     }
 
@@ -207,7 +208,7 @@ class PostReader {
             const auto at = std::find(kStopped.begin(), kStopped.end(), stopped);
             if (at == kStopped.end())
                 section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
-                                                  fmt::join(kStopped, " and "), stopped));
+                                                  text::joined(kStopped, " and "), stopped));
             (at == kStopped.begin() ? post_.tool_change.stops_spindle : post_.tool_change.stops_coolant) =
                 true;
         }
@@ -317,7 +318,7 @@ class PostReader {
             const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
             if (std::find(places.begin(), places.end(), name) != places.end()) continue;
             const std::string hint =
-                places.empty() ? std::string("nothing") : fmt::format("{{{}}}", fmt::join(places, "}, {"));
+                places.empty() ? std::string("nothing") : fmt::format("{{{}}}", text::joined(places, "}, {"));
             error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
         }
     }
@@ -351,7 +352,7 @@ tl::expected<Post, std::string> find_post(const std::string& name) {
     const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
     if (text.data() != nullptr) return read_post(text, name);
     return tl::unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}",
-                                      name, fmt::join(built_in_posts(), ", "), kExtension));
+                                      name, text::joined(built_in_posts(), ", "), kExtension));
 }
 
 }  // namespace gsim::codegen

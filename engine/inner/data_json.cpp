@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
+
 namespace gsim::engine {
 
 using machine::DataField;
@@ -151,7 +153,7 @@ tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view t
                                                               const std::string& file_name,
                                                               std::span<const machine::Axis> axes) {
     try {
-        return JsonReader(file_name, axes).read(ordered_json::parse(text));
+        return JsonReader(file_name, axes).read(text::parse_json<ordered_json>(text));
     } catch (const ordered_json::parse_error& error) {
         return Sentence(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
     } catch (const ordered_json::out_of_range&) {

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "runtime/cell/cell_guide.h"
 #include "runtime/machine/key_guide.h"
 
@@ -38,7 +37,7 @@ void add_range(ordered_json& json, const NumberRange& range) {
 
 /// A number that is not finite as in the answer to `toml`.
 ordered_json value_json(const std::string& written) {
-    const auto value = ordered_json::parse(written, nullptr, false);
+    const auto value = text::try_parse_json<ordered_json>(written);
     return value.is_discarded() ? ordered_json(written) : value;
 }
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/text/diagnostic_json.h"
+#include "base/text/json.h"
 #include "engine/inner/values.h"
 #include "engine/version.h"
 

@@ -1,5 +1,5 @@
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "engine/language.h"
 #include "grammar/dialect.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 
 namespace gsim::engine {
@@ -30,8 +31,12 @@ struct Allowed {
     }
     std::string text() const {
         if (steps.empty()) return fmt::format("from {:g} to {:g} %", least, most);
-        const auto last = std::prev(steps.end());
-        return fmt::format("{:g} or {:g} %", fmt::join(steps.begin(), last, ", "), *last);
+        std::string all;
+        for (const double step : steps) {
+            const char* separator = all.empty() ? "" : step == steps.back() ? " or " : ", ";
+            text::append_format(all, "{}{:g}", separator, step);
+        }
+        return all + " %";
     }
 };
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "codegen/post/gcode_writer.h"
 
 namespace gsim::engine {
@@ -89,7 +89,7 @@ std::string PathCheck::refusal() const {
     }
     const std::size_t more = without_word_.size() - names.size();
     return fmt::format("the post '{}' has no words for {}{}; with --go-on they become comments", post_.name,
-                       fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+                       text::joined(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 }  // namespace gsim::engine

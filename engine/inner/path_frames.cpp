@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "runtime/path/validate.h"
 
 namespace gsim::engine {
@@ -36,7 +36,7 @@ std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Po
         return fmt::format("the post '{}' has no work offsets ([offsets] systems)", post.name);
     if (std::find(systems.begin(), systems.end(), frame.name) == systems.end())
         return fmt::format("the post '{}' has no work offset G{}; it has G{}", post.name, frame.name,
-                           fmt::join(systems, ", G"));
+                           text::joined(systems, ", G"));
     if (!frame.touches.empty() && post.touch.empty())
         return fmt::format("the post '{}' has no words that find a work offset by touches ([probe] touch)",
                            post.name);
@@ -131,7 +131,7 @@ std::vector<std::string> PathFrames::notes() const {
     if (names.empty()) return {};
     return {fmt::format(
         "the path does not say where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
-        fmt::join(names, ", "))};
+        text::joined(names, ", "))};
 }
 
 tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,

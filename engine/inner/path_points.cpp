@@ -3,8 +3,8 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "runtime/machine/homes.h"
 
@@ -38,7 +38,7 @@ std::string known_points(const Points& points) {
     }
     if (texts.empty()) return "there are none";
     const std::size_t more = points.values.size() - texts.size();
-    return fmt::format("there are {}{}", fmt::join(texts, ", "),
+    return fmt::format("there are {}{}", text::joined(texts, ", "),
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
@@ -73,7 +73,7 @@ class Completer {
         return {
             fmt::format("neither the machine file nor machine data say where the reference points {} lie; "
                         "Z goes there first, as if that led up",
-                        fmt::join(unknown_, ", "))};
+                        text::joined(unknown_, ", "))};
     }
 
   private:

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "base/text/format.h"
 
 namespace gsim::engine {
 
@@ -45,7 +46,7 @@ std::string texts(const std::vector<SwitchWord>& words) {
     std::vector<std::string> list;
     list.reserve(words.size());
     for (const SwitchWord& word : words) list.push_back(word.text());
-    return fmt::format("{}", fmt::join(list, ", "));
+    return text::joined(list, ", ");
 }
 
 }  // namespace

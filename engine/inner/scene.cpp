@@ -4,8 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "runtime/kinematics/chain.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/simulation/part_tip.h"

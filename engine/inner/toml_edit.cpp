@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/files.h"
+#include "base/text/json.h"
 #include "base/toml/toml_edit.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/key_order.h"
@@ -117,7 +117,7 @@ tl::expected<TomlEdit, Failure> read(const Host& host, const std::string& name, 
 tl::expected<EditedToml, Failure> edited_toml(const Host& host, const std::string& name,
                                               std::string_view changes, const Tell& tell) {
     return guarded([&]() -> tl::expected<EditedToml, Failure> {
-        const auto asked = ordered_json::parse(changes, nullptr, false);
+        const auto asked = text::try_parse_json<ordered_json>(changes);
         if (!asked.is_array())
             return tl::unexpected(failure_of(DiagnosticKind::usage, "the changes should be a list"));
         auto edit = read(host, name, tell);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/os/installation.h"
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 
 namespace gsim::engine {
@@ -79,7 +79,7 @@ tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder
     std::vector<std::string> shown;
     shown.reserve(looked_in.size());
     for (const fs::path& place : looked_in) shown.push_back(fmt::format("'{}'", place.string()));
-    if (!shown.empty()) sentence += fmt::format(", nor is there {}", fmt::join(shown, " or "));
+    if (!shown.empty()) sentence += fmt::format(", nor is there {}", text::joined(shown, " or "));
     if (kind == NameKind::machine) sentence += near_machine(bin_folder, name);
     return tl::unexpected(sentence);
 }

@@ -47,4 +47,12 @@ void Carrier::forget_before(double time_s) {
     while (drifts_.size() > 1 && drifts_[1].from_s <= time_s) drifts_.pop_front();
 }
 
+bool Drift::moves() const {
+    return !velocity_mm_s.isZero(0) || !spin_rad_s.isZero(0);
+}
+
+rrs::CartPos Carrier::at(double time_s) const {
+    return drift_at(time_s).at(time_s);
+}
+
 }  // namespace gsim::cell

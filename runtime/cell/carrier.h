@@ -19,7 +19,7 @@ struct Drift {
     Eigen::Vector3d spin_rad_s = Eigen::Vector3d::Zero();  ///< Along the axis of the turn.
 
     rrs::CartPos at(double time_s) const;
-    bool moves() const { return !velocity_mm_s.isZero(0) || !spin_rad_s.isZero(0); }
+    bool moves() const;
 };
 
 /// The motion that leads from one pose to another in that time, the short way round.
@@ -34,7 +34,7 @@ class Carrier {
     /// From drift.from_s on this one holds; others from there on are dropped.
     void add(const Drift& drift);
     const Drift& drift_at(double time_s) const;
-    rrs::CartPos at(double time_s) const { return drift_at(time_s).at(time_s); }
+    rrs::CartPos at(double time_s) const;
     /// The first change behind a time.
     std::optional<double> next_change_s(double time_s) const;
     /// What was before that time will not be asked for again.

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/cell/meeting_pairs.h"
@@ -99,7 +100,7 @@ class CellReader {
         const std::vector<std::string_view> names = cell_.frames.names();
         const auto nearest = text::nearest_name(name, names);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                         : fmt::format("there are: {}", fmt::join(names, ", "));
+                                         : fmt::format("there are: {}", text::joined(names, ", "));
         section.fail(key, fmt::format("nothing above is called '{}'; {}", name, hint));
         return 0;
     }

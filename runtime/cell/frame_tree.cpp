@@ -70,4 +70,8 @@ std::vector<std::string_view> FrameTree::names() const {
     return names;
 }
 
+rrs::CartPos FrameTree::in_world(std::size_t frame, const LinkFrames& links) const {
+    return links[static_cast<std::size_t>(link(frame))] * in_link(frame);
+}
+
 }  // namespace gsim::cell

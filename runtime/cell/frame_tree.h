@@ -42,9 +42,7 @@ class FrameTree {
     int link(std::size_t frame) const { return frames_[frame].link; }
     /// Relative to that link.
     rrs::CartPos in_link(std::size_t frame) const;
-    rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const {
-        return links[static_cast<std::size_t>(link(frame))] * in_link(frame);
-    }
+    rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const;
     /// The frames' names, those of the machine first.
     std::vector<std::string_view> names() const;
 

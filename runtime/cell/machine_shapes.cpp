@@ -10,21 +10,21 @@ namespace gsim::cell {
 
 namespace {
 
-using Made = tl::expected<Shape, std::string>;
+using MadeShape = tl::expected<Shape, std::string>;
 
-Made make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
+MadeShape make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
     return Shape::box({box.x_mm, box.y_mm, box.z_mm});
 }
-Made make(const machine::CylinderShape& cylinder, const MeshFiles& /*files*/) {
+MadeShape make(const machine::CylinderShape& cylinder, const MeshFiles& /*files*/) {
     return Shape::cylinder(cylinder.diameter_mm, cylinder.height_mm);
 }
-Made make(const machine::CapsuleShape& capsule, const MeshFiles& /*files*/) {
+MadeShape make(const machine::CapsuleShape& capsule, const MeshFiles& /*files*/) {
     return Shape::capsule(capsule.diameter_mm, capsule.height_mm);
 }
-Made make(const machine::SphereShape& sphere, const MeshFiles& /*files*/) {
+MadeShape make(const machine::SphereShape& sphere, const MeshFiles& /*files*/) {
     return Shape::sphere(sphere.diameter_mm);
 }
-Made make(const machine::MeshShape& mesh, const MeshFiles& files) {
+MadeShape make(const machine::MeshShape& mesh, const MeshFiles& files) {
     return load_mesh(mesh.file, mesh.scale, mesh.tolerance_mm, files).map(&Shape::mesh);
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "runtime/check/axis_motion.h"
 
 namespace gsim::check {
@@ -71,7 +72,7 @@ class Picture {
   private:
     template <typename... Args>
     void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(svg_), format, std::forward<Args>(args)...);
+        text::append_format(svg_, format, std::forward<Args>(args)...);
     }
 
     static Vector2d place(const Vector3d& point) { return Vector2d(kWidth / 2, kSize / 2) + on_paper(point); }

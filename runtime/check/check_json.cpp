@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/units.h"
 #include "runtime/check/machine_check.h"

@@ -2,8 +2,8 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/number.h"
 #include "base/units.h"
 #include "runtime/check/machine_check.h"
@@ -57,14 +57,14 @@ class Text {
   private:
     template <typename... Args>
     void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text::append_format(text_, format, std::forward<Args>(args)...);
     }
 
     std::string letters(const std::vector<int>& joints) const {
         std::vector<char> list;
         list.reserve(joints.size());
         for (const int joint : joints) list.push_back(machine_.axes[static_cast<std::size_t>(joint)].letter);
-        return fmt::format("{}", fmt::join(list, " "));
+        return text::joined(list, " ");
     }
 
     void head() {
@@ -92,8 +92,8 @@ class Text {
             const bool work = machine_.axes[group.axes.front()].carries == machine::Carries::work;
             std::vector<char> letters;
             for (const std::size_t axis : group.axes) letters.push_back(machine_.axes[axis].letter);
-            add("group      {}: {} ({}), {}\n", group.name, fmt::join(letters, " "), work ? "work" : "tool",
-                machine::name(group.motion));
+            add("group      {}: {} ({}), {}\n", group.name, text::joined(letters, " "),
+                work ? "work" : "tool", machine::name(group.motion));
         }
     }
 

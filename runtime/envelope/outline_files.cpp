@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/number.h"
 #include "runtime/envelope/region.h"
 
@@ -61,13 +62,12 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
                   double top) {
     const PlaneView view = view_of(outline);
     const Eigen::AlignedBox2d box = bounds(outline, view);
-    const auto out = std::back_inserter(svg);
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{}: {} to the right, {} up{}</text>\n", left, top - 8, title,
-                   direction_name(view.right), direction_name(view.up),
-                   outline.flat ? "" : ", a curved surface");
+    text::append_format(svg, "<text x=\"{}\" y=\"{}\">{}: {} to the right, {} up{}</text>\n", left, top - 8,
+                        title, direction_name(view.right), direction_name(view.up),
+                        outline.flat ? "" : ", a curved surface");
     if (outline.curves.empty()) {
-        fmt::format_to(out, "<text x=\"{}\" y=\"{}\">closed in itself, without a border</text>\n", left,
-                       top + 12);
+        text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed in itself, without a border</text>\n", left,
+                            top + 12);
         return;
     }
     const double size_mm = std::max(box.sizes().maxCoeff(), 1e-6);
@@ -77,17 +77,17 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
     for (const Curve& curve : outline.curves) {
         char command = 'M';
         for (const Vector3d& point : curve.points_mm) {
-            fmt::format_to(out, "{}{} {}", command,
-                           text::fixed(left + (point.dot(view.right) - box.min().x()) * scale, 2),
-                           text::fixed(top + (box.max().y() - point.dot(view.up)) * scale, 2));
+            text::append_format(svg, "{}{} {}", command,
+                                text::fixed(left + (point.dot(view.right) - box.min().x()) * scale, 2),
+                                text::fixed(top + (box.max().y() - point.dot(view.up)) * scale, 2));
             command = 'L';
         }
         if (curve.closed) svg += 'Z';
     }
     svg += "\"/>\n";
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{} .. {} mm, {} .. {} mm</text>\n", left, top + kPanel + 16,
-                   text::fixed(box.min().x(), 1), text::fixed(box.max().x(), 1),
-                   text::fixed(box.min().y(), 1), text::fixed(box.max().y(), 1));
+    text::append_format(svg, "<text x=\"{}\" y=\"{}\">{} .. {} mm, {} .. {} mm</text>\n", left,
+                        top + kPanel + 16, text::fixed(box.min().x(), 1), text::fixed(box.max().x(), 1),
+                        text::fixed(box.min().y(), 1), text::fixed(box.max().y(), 1));
 }
 
 }  // namespace
@@ -99,9 +99,9 @@ std::string to_csv(const machine::Machine& machine, const std::vector<PairOutlin
         for (const Curve& curve : outline.curves) {
             ++number;
             for (const Vector3d& point : curve.points_mm) {
-                fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", axes(machine, outline),
-                               outline.flat ? "plane" : "surface", number, curve.closed ? 1 : 0,
-                               rounded(point.x()), rounded(point.y()), rounded(point.z()));
+                text::append_format(csv, "{},{},{},{},{},{},{}\n", axes(machine, outline),
+                                    outline.flat ? "plane" : "surface", number, curve.closed ? 1 : 0,
+                                    rounded(point.x()), rounded(point.y()), rounded(point.z()));
             }
         }
     }

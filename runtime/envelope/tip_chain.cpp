@@ -93,4 +93,8 @@ TipChain pair_chain(const TipChain& whole, std::size_t first, std::size_t second
     });
 }
 
+bool is_parallel(const Vector3d& a, const Vector3d& b) {
+    return a.cross(b).norm() < kParallel;
+}
+
 }  // namespace gsim::envelope

@@ -15,9 +15,7 @@ using Eigen::Vector3d;
 inline constexpr double kParallel = 1e-9;
 
 /// Of unit vectors; in whichever sense.
-inline bool is_parallel(const Vector3d& a, const Vector3d& b) {
-    return a.cross(b).norm() < kParallel;
-}
+bool is_parallel(const Vector3d& a, const Vector3d& b);
 
 /// A joint as it moves the tip against the work: along or about a line in the work frame, by a value of the
 /// joint (mm, rad) between two ends.

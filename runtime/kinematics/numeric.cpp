@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/units.h"
 #include "runtime/kinematics/dense.h"
 #include "runtime/kinematics/solution.h"
@@ -239,7 +239,7 @@ std::string NumericKinematics::names(const std::vector<int>& joints) const {
         const std::string& name = ranges_[static_cast<std::size_t>(joint)].name;
         list.push_back(name.empty() ? fmt::format("joint {}", joint) : fmt::format("axis {}", name));
     }
-    return fmt::format("{}", fmt::join(list, " and "));
+    return text::joined(list, " and ");
 }
 
 std::string NumericKinematics::out_of_reach(const rrs::CartPos& pose, const Attempt& nearest) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/text/format.h"
 #include "base/text/printable.h"
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_text.h"
@@ -28,7 +29,7 @@ std::string unknown_model(std::string_view model) {
         "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
         base::toml_string(model),
         nearest ? fmt::format("did you mean {}? ", base::toml_string(*nearest)) : std::string(),
-        fmt::join(known, ", "));
+        text::joined(known, ", "));
 }
 
 /// Where controller files of one's own are looked for.
@@ -65,7 +66,7 @@ rrs::ControllerRules read_model(TomlSection& section, const OwnFiles* own) {
     }
     if (own != nullptr) return read_own_file(section, model, *own);
     section.fail(kModelKey, fmt::format("'model' of a controller file must be one of {}",
-                                        fmt::join(built_in_controllers(), ", ")));
+                                        text::joined(built_in_controllers(), ", ")));
     return {};
 }
 

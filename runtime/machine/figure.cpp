@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "runtime/machine/times_section.h"
 
 namespace gsim::machine {
@@ -97,7 +97,7 @@ std::string name_of(const Figure& figure) {
         return fmt::format("{}: {}", figure.of, figure.key);
     std::vector<std::string> letters;
     for (const char letter : figure.of) letters.emplace_back(1, letter);
-    return fmt::format("{} {}: {}", letters.size() == 1 ? "axis" : "axes", fmt::join(letters, ", "),
+    return fmt::format("{} {}: {}", letters.size() == 1 ? "axis" : "axes", text::joined(letters, ", "),
                        figure.key);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text/format.h"
 #include "runtime/machine/group_motion.h"
 
 namespace gsim::machine {
@@ -132,7 +133,7 @@ void print_groups(TomlText& out, const Machine& machine) {
         std::vector<std::string> letters;
         for (const std::size_t axis : group.axes)
             letters.push_back(base::toml_string({&machine.axes[axis].letter, 1}));
-        out.line("axes", fmt::format("[{}]", fmt::join(letters, ", ")));
+        out.line("axes", fmt::format("[{}]", text::joined(letters, ", ")));
         if (group.motion != GroupMotion{}) out.line("motion", base::toml_string(name(group.motion)));
     }
 }

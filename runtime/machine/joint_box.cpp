@@ -55,4 +55,12 @@ rrs::JointPos halton_point(int number, int joints) {
     return point;
 }
 
+rrs::JointPos JointBox::middle() const {
+    return (low + high) / 2;
+}
+
+rrs::JointPos JointBox::at(const rrs::JointPos& shares) const {
+    return low + shares.cwiseProduct(high - low);
+}
+
 }  // namespace gsim::machine

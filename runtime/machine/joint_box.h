@@ -14,9 +14,9 @@ struct JointBox {
     /// Joints of slides without ends: the box goes as far from home as the chain reaches, but at least 1 m.
     std::vector<int> cut = {};
 
-    rrs::JointPos middle() const { return (low + high) / 2; }
+    rrs::JointPos middle() const;
     /// The joint values at shares between 0 and 1 of the box's sides.
-    rrs::JointPos at(const rrs::JointPos& shares) const { return low + shares.cwiseProduct(high - low); }
+    rrs::JointPos at(const rrs::JointPos& shares) const;
 };
 
 /// The ranges of the axes. A rotary axis that turns farther than once round, or on without end, has one turn

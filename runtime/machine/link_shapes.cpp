@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text/format.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/shape_section.h"
 
@@ -39,7 +40,7 @@ std::string letters(const Machine& machine) {
     std::vector<char> list;
     list.reserve(machine.axes.size());
     for (const Axis& axis : machine.axes) list.push_back(axis.letter);
-    return fmt::format("{}", fmt::join(list, ", "));
+    return text::joined(list, ", ");
 }
 
 class ShapeReader {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 #include "runtime/machine/calibration_section.h"
 #include "runtime/machine/controller_file.h"
@@ -130,7 +131,7 @@ std::optional<AxisKind> read_axis_kind(FirstError& error, const toml::table& tab
 char read_letter(TomlSection& section) {
     const std::string letter = section.text("letter");
     if (letter.size() == 1 && kLetters.find(letter[0]) != std::string_view::npos) return letter[0];
-    section.fail("letter", fmt::format("'letter' must be one of {}", fmt::join(kLetters, " ")));
+    section.fail("letter", fmt::format("'letter' must be one of {}", text::joined(kLetters, " ")));
     return kNoLetter;
 }
 

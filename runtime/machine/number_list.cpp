@@ -1,5 +1,6 @@
 #include "runtime/machine/number_list.h"
 
+#include "base/text/format.h"
 #include "base/toml/toml_text.h"
 
 namespace gsim::machine {
@@ -27,7 +28,7 @@ std::string number_list(std::span<const double> numbers) {
     std::vector<std::string> texts;
     texts.reserve(numbers.size());
     for (const double number : numbers) texts.push_back(base::toml_number(number));
-    return fmt::format("[{}]", fmt::join(texts, ", "));
+    return fmt::format("[{}]", text::joined(texts, ", "));
 }
 
 }  // namespace gsim::machine

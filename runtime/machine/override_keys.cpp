@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 
 namespace gsim::machine {
@@ -97,11 +97,11 @@ void print_overrides(TomlText& out, const rrs::ControllerRules& rules, const rrs
     if (now.rapid_percents != base.overrides.rapid_percents) {
         std::vector<std::string> percents;
         for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
-        entries.push_back(fmt::format("{} = [{}]", kRapidPercents, fmt::join(percents, ", ")));
+        entries.push_back(fmt::format("{} = [{}]", kRapidPercents, text::joined(percents, ", ")));
     }
     if (now.feed_of_probes != base.overrides.feed_of_probes)
         entries.push_back(fmt::format("{} = {}", kFeedOfProbes, now.feed_of_probes));
-    if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", fmt::join(entries, ", ")));
+    if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }
 
 }  // namespace gsim::machine

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "cam/solid/mesh.h"
 #include "runtime/machine/frame_section.h"
 
@@ -59,7 +59,7 @@ void print_ignored(TomlText& out, const Machine& machine) {
         pairs.push_back(fmt::format("[{}, {}]", base::toml_string(machine.shapes[first].name),
                                     base::toml_string(machine.shapes[second].name)));
     }
-    out.line("ignore", fmt::format("[{}]", fmt::join(pairs, ", ")));
+    out.line("ignore", fmt::format("[{}]", text::joined(pairs, ", ")));
 }
 
 void print_link_shapes(TomlText& out, const Machine& machine) {

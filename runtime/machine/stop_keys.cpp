@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/text/format.h"
 #include "base/toml/toml_section.h"
 
 namespace gsim::machine {
@@ -50,7 +51,7 @@ void print_stops(TomlText& out, const rrs::ControllerRules& rules, const rrs::Co
         if (before != base.stops.end() && before->second == rule) continue;
         entries.push_back(fmt::format("{} = {}", base::toml_string(word), base::toml_string(name_of(rule))));
     }
-    if (!entries.empty()) out.line(kStopsKey, fmt::format("{{ {} }}", fmt::join(entries, ", ")));
+    if (!entries.empty()) out.line(kStopsKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }
 
 }  // namespace gsim::machine

@@ -39,4 +39,29 @@ bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm) {
     return false;
 }
 
+Eigen::Vector3d AxisSpace::point(const Eigen::Vector3d& world_mm) const {
+    return to_axes_ * (world_mm - origin_mm_);
+}
+
+Eigen::Vector3d AxisSpace::turn_axis(const Eigen::Vector3d& world) const {
+    return handedness_ * (to_axes_ * world);
+}
+
+Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints) {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) position[axis] = joints[joint];
+    }
+    return position;
+}
+
+void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
+                  rrs::JointPos& joints) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) joints[joint] = point[axis];
+    }
+}
+
 }  // namespace gsim::motion

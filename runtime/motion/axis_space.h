@@ -16,11 +16,9 @@ class AxisSpace {
     /// they do not carry the tip along three directions at right angles (to 1e-9).
     static std::optional<AxisSpace> of(const PlannerSetup& setup);
 
-    Eigen::Vector3d point(const Eigen::Vector3d& world_mm) const {
-        return to_axes_ * (world_mm - origin_mm_);
-    }
+    Eigen::Vector3d point(const Eigen::Vector3d& world_mm) const;
     /// The axis about which a turn, counter-clockwise about `world` in the world, is counter-clockwise here.
-    Eigen::Vector3d turn_axis(const Eigen::Vector3d& world) const { return handedness_ * (to_axes_ * world); }
+    Eigen::Vector3d turn_axis(const Eigen::Vector3d& world) const;
 
   private:
     Eigen::Matrix3d to_axes_;
@@ -33,22 +31,10 @@ class AxisSpace {
 bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero());
 
 /// The values of the position joints; 0 where one is absent.
-inline Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints) {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-        if (joint >= 0) position[axis] = joints[joint];
-    }
-    return position;
-}
+Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints);
 
 /// Gives the position joints (-1: absent) the coordinates of a point or vector.
-inline void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
-                         rrs::JointPos& joints) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = position_joints[static_cast<std::size_t>(axis)];
-        if (joint >= 0) joints[joint] = point[axis];
-    }
-}
+void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
+                  rrs::JointPos& joints);
 
 }  // namespace gsim::motion

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNoTime_s = 1e-12;
 constexpr double kNoWay = 1e-12;            // mm or rad; rounding would tell its direction
-constexpr double kNoSpeed = 1e-9;           // mm/s or rad/s
+constexpr double kStandstillSpeed = 1e-9;   // mm/s or rad/s
 constexpr double kOffWay = 1e-6;            // mm or rad, between the ends of pieces
 constexpr double kPiecesPerRate = 16;       // the least in which the rate goes from 0 to 1
 constexpr double kInside = 1e-6;            // share of a stretch: accelerations jump at its ends
@@ -193,7 +193,7 @@ Demand demand_of(const Segment& blend, double from_s, double to_s) {
 double rate_change(const Demand& demand, const Eigen::ArrayXd& taken, const rrs::JointPos& acceleration) {
     double change = std::numeric_limits<double>::infinity();
     for (Eigen::Index joint = 0; joint < taken.size(); ++joint) {
-        if (demand.speed[joint] <= kNoSpeed) continue;
+        if (demand.speed[joint] <= kStandstillSpeed) continue;
         const double limit = std::max(acceleration[joint], demand.acceleration[joint]);
         change = std::min(change, std::max(limit - taken[joint], 0.0) / demand.speed[joint]);
     }
@@ -260,7 +260,7 @@ Segment blend_part(const Segment& blend, double from_s, double to_s) {
 }
 
 bool stands(const Segment& blend, double at_s) {
-    return (blend.at(at_s).velocity.array().abs() <= kNoSpeed).all();
+    return (blend.at(at_s).velocity.array().abs() <= kStandstillSpeed).all();
 }
 
 }  // namespace gsim::motion

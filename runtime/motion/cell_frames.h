@@ -15,11 +15,9 @@ struct WorkFrames {
     rrs::CartPos object = rrs::CartPos::Identity();  ///< In the work frame of the machine.
 
     /// The tool frame in the object frame, by the tool centre point in the work frame.
-    rrs::CartPos target_of(const rrs::CartPos& tool_centre) const {
-        return object.inverse() * tool_centre * tool;
-    }
+    rrs::CartPos target_of(const rrs::CartPos& tool_centre) const;
     /// The way back.
-    rrs::CartPos tool_centre_of(const rrs::CartPos& target) const { return object * target * tool.inverse(); }
+    rrs::CartPos tool_centre_of(const rrs::CartPos& target) const;
     /// The origin of the tool frame seen from the tool centre point.
     Eigen::Vector3d tip_mm() const { return tool.translation(); }
 };

@@ -98,4 +98,8 @@ Planned ConveyorFrame::plan_ramp(const PlannerSetup& setup, bool up, Segment& se
     return check_target_ranges(setup, segment.end);
 }
 
+rrs::JointPos ConveyorFrame::shift(double time_s) const {
+    return conveyor_.position_mm_at(time_s) * along_;
+}
+
 }  // namespace gsim::motion

@@ -31,7 +31,7 @@ class ConveyorFrame {
 
     const ConveyorMotion& conveyor() const { return conveyor_; }
     /// What the frame adds to joint values at a time.
-    rrs::JointPos shift(double time_s) const { return conveyor_.position_mm_at(time_s) * along_; }
+    rrs::JointPos shift(double time_s) const;
     /// The machine, with what is left of its speeds.
     PlannerSetup setup_within(const PlannerSetup& setup) const;
     /// Turns a segment planned in the frame into one of the machine.

@@ -17,7 +17,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kReachedSpeed = 1e-9;  // relative
+constexpr double kReachedBlockSpeed = 1e-9;  // relative
 constexpr std::size_t kMostInnerPieces = 2'000;
 
 bool leads_on(const Block& block) {
@@ -242,7 +242,7 @@ double LookAhead::settle_s(const Block& block) const {
 
 LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
-    if (speed >= slower.max_speed * (1 - kReachedSpeed)) return slower.speed_limit;
+    if (speed >= slower.max_speed * (1 - kReachedBlockSpeed)) return slower.speed_limit;
     return {to.by_window && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
 }
 
@@ -255,7 +255,7 @@ void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double 
 }
 
 LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
-    if (law.peak_speed() >= block.max_speed * (1 - kReachedSpeed)) return block.speed_limit;
+    if (law.peak_speed() >= block.max_speed * (1 - kReachedBlockSpeed)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
     if (next != nullptr && next->by_window && exit_speed >= next->entry) return {LimitKind::look_ahead, -1};
     const bool slow_corner = speed_ > 0 && exit_speed > 0;

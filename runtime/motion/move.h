@@ -31,7 +31,7 @@ struct PoseGoal {
     /// Of the joints that the inverse holds (Kinematics::held_joints()) those that go elsewhere.
     std::vector<LedJoint> led = {};
 
-    rrs::CartPos tool_centre() const { return pose * tool.inverse(); }
+    rrs::CartPos tool_centre() const;
 };
 
 /// A place for the machine: a pose where there is one, else joint values.

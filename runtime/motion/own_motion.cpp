@@ -48,4 +48,8 @@ void OwnMotion::carry(Segment& segment) const {
     segment.beside = std::move(own);
 }
 
+rrs::JointPos OwnMotion::left(double time_s) const {
+    return (law_.at(time_s - start_s_).s - law_.length()) * way_;
+}
+
 }  // namespace gsim::motion

@@ -22,7 +22,7 @@ class OwnMotion {
     /// Whether the joint is one of them.
     bool moves(int joint) const { return way_[joint] != 0; }
     /// What is left of their way at a time: of their places less those of their ends.
-    rrs::JointPos left(double time_s) const { return (law_.at(time_s - start_s_).s - law_.length()) * way_; }
+    rrs::JointPos left(double time_s) const;
     /// Adds to a segment in which these joints stand at their ends what is left of their way.
     void carry(Segment& segment) const;
 

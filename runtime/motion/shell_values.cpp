@@ -15,7 +15,7 @@ using rrs::Status;
 
 namespace {
 
-constexpr double kLeastTime_s = 1e-6;
+constexpr double kLeastServiceTime_s = 1e-6;
 constexpr double kMaxPercent = 200;
 
 }  // namespace
@@ -128,10 +128,10 @@ Status PlannerShell::SetRapid(bool on) {
 
 Status PlannerShell::SetInterpolationTime(double interpolation_s) {
     if (!initialized_) return not_initialized();
-    if (!(interpolation_s >= kLeastTime_s && interpolation_s <= kLongest_s)) {
+    if (!(interpolation_s >= kLeastServiceTime_s && interpolation_s <= kLongest_s)) {
         return refuse(Status::RRS_INVALID_PARAMETER,
                       fmt::format("The interpolation time is from {} to {} s; {} was asked for.",
-                                  kLeastTime_s, kLongest_s, interpolation_s));
+                                  kLeastServiceTime_s, kLongest_s, interpolation_s));
     }
     selections_.interpolation_s = interpolation_s;
     return Status::RRS_SUCCESS;

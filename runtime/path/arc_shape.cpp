@@ -99,4 +99,8 @@ tl::expected<ArcShape, std::string> arc_shape(const Vector& start_mm, const Poin
     return about(start, std::get<CenterArc>(end.arc), last);
 }
 
+double ArcShape::radius_mm() const {
+    return first.norm();
+}
+
 }  // namespace gsim::path

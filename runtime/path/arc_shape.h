@@ -25,7 +25,7 @@ struct ArcShape {
     double turn_rad = 0;  ///< > 0
     double rise_mm = 0;   ///< Along the normal, over the whole turn.
 
-    double radius_mm() const { return first.norm(); }
+    double radius_mm() const;
     /// Where the tool is after that share, 0 to 1, of the turn.
     Eigen::Vector3d at(double share) const;
 };

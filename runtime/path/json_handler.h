@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "runtime/path/json_bytes.h"
 #include "runtime/path/path_draft.h"
 #include "runtime/path/target_draft.h"

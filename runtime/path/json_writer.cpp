@@ -3,8 +3,9 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/format.h"
+#include "base/text/json.h"
 #include "runtime/path/keys.h"
 
 namespace gsim::path {
@@ -39,7 +40,7 @@ class Writer {
   private:
     template <typename... Values>
     void put(fmt::format_string<Values...> format, Values&&... values) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+        text::append_format(text_, format, std::forward<Values>(values)...);
     }
 
     void write_work_offsets() {

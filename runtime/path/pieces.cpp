@@ -153,4 +153,8 @@ std::optional<AxisArc> TipMotion::oblique_arc(double from, double to, double tol
     return arc;
 }
 
+double TipMotion::turn_deg() const {
+    return (end_rotary_ - start_rotary_).norm();
+}
+
 }  // namespace gsim::path

@@ -18,7 +18,7 @@ class TipMotion {
     AxisValues at(double share) const;
     double length_mm() const;
     const std::optional<ArcShape>& arc() const { return arc_; }
-    double turn_deg() const { return (end_rotary_ - start_rotary_).norm(); }
+    double turn_deg() const;
 
     /// Whether the tool leans against an arc's normal at both of its ends and hardly between them: whoever
     /// leans a tool along an arc means it to turn with it.

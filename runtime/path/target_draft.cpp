@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 
 namespace gsim::path {
@@ -65,7 +65,7 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
         const auto* const found = std::find(kMotionNames.begin(), kMotionNames.end(), value);
         if (found == kMotionNames.end()) {
             return tl::unexpected<std::string>(
-                fmt::format("'motion' must be \"{}\"", fmt::join(kMotionNames, "\" or \"")));
+                fmt::format("'motion' must be \"{}\"", text::joined(kMotionNames, "\" or \"")));
         }
         point_.motion = static_cast<MotionType>(found - kMotionNames.begin());
     }
@@ -224,7 +224,7 @@ std::string unknown_key(std::string_view key, std::string_view where,
     constexpr std::size_t kShown = 64;
     const auto nearest = text::nearest_name(key, known);
     const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                     : fmt::format("it may hold: {}", fmt::join(known, ", "));
+                                     : fmt::format("it may hold: {}", text::joined(known, ", "));
     return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kShown), where, hint);
 }
 

@@ -11,7 +11,7 @@ namespace gsim::script {
 
 namespace {
 
-struct Task {
+struct ContourTask {
     std::string_view lua;
     const std::string& file_name;
     std::span<const ContourFacts> contours;
@@ -57,9 +57,9 @@ void push_facts(lua_State* state, const ContourFacts& facts) {
     lua_setfield(state, -2, "edges");
 }
 
-// Gets the Task.
-int run_task(lua_State* state) {
-    Task& task = *static_cast<Task*>(lua_touserdata(state, 1));
+// Gets the ContourTask.
+int run_contour_task(lua_State* state) {
+    ContourTask& task = *static_cast<ContourTask*>(lua_touserdata(state, 1));
     const std::string chunk = fmt::format("@{}", task.file_name);
     if (luaL_loadbufferx(state, task.lua.data(), task.lua.size(), chunk.c_str(), "t") != LUA_OK)
         return lua_error(state);
@@ -88,7 +88,7 @@ int run_task(lua_State* state) {
     return 0;
 }
 
-std::string ended_by(const LuaState& lua, const Task& task) {
+std::string ended_by(const LuaState& lua, const ContourTask& task) {
     std::string reason = "the script takes more steps than it may";
     if (lua.ended() == LuaState::Ended::memory) reason = lua.memory_refusal();
     if (lua.ended() == LuaState::Ended::cpu)
@@ -106,13 +106,13 @@ tl::expected<std::vector<bool>, std::string> choose_contours(std::string_view lu
                                                              os::CpuLimit* cpu) {
     LuaState lua(limits);
     lua_State* state = lua.get();
-    Task task{lua_text, file_name, contours, cpu};
+    ContourTask task{lua_text, file_name, contours, cpu};
     lua.on_last_step([&task](lua_State* at) {
         lua_Debug here{};
         if (lua_getstack(at, 0, &here) != 0 && lua_getinfo(at, "l", &here) != 0)
             task.last_line = std::max(1, here.currentline);
     });
-    lua_pushcfunction(state, trampoline<run_task>);
+    lua_pushcfunction(state, trampoline<run_contour_task>);
     lua_pushlightuserdata(state, &task);
     if (lua_pcall(state, 1, 0, 0) == LUA_OK) return std::move(task.chosen);
     if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1))

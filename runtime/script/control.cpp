@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "runtime/machine/homes.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/data_tables.h"
@@ -302,7 +302,7 @@ void Control::push_module(lua_State* state, const std::string& name) {
 void Control::load_module(lua_State* state, const std::string& name) {
     const auto begun = std::find(loading_.begin(), loading_.end(), name);
     if (begun != loading_.end()) {
-        const std::string way(fmt::format("{}", fmt::join(begun, loading_.end(), " needs ")));
+        const std::string way(text::joined(begun, loading_.end(), " needs "));
         throw std::runtime_error(fmt::format("files of the library need each other: {} needs {}", way, name));
     }
     loading_.push_back(name);

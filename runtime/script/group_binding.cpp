@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 #include "runtime/machine/machine.h"
 #include "runtime/script/bindings.h"
@@ -91,7 +91,7 @@ std::size_t check_group(lua_State* state, Interpreter& interpreter, int index) {
                       fmt::format("there is no group of axes '{}'; {}", name,
                                   nearest         ? fmt::format("did you mean '{}'?", *nearest)
                                   : names.empty() ? "tables [[group]] of the machine file make them"
-                                                  : fmt::format("there are: {}", fmt::join(names, ", "))));
+                                                  : fmt::format("there are: {}", text::joined(names, ", "))));
 }
 
 void check_led(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "runtime/path/validate.h"
 #include "runtime/script/object_names.h"
 #include "runtime/script/path_values.h"
@@ -170,7 +170,7 @@ void check_path_keys(lua_State* state) {
         if (!is_known)
             raise(state,
                   fmt::format("path{{..}} takes 'name', '{}' and, in their order, points and sub-paths",
-                              fmt::join(kSetUpKeys, "', '")));
+                              text::joined(kSetUpKeys, "', '")));
     }
 }
 
@@ -223,15 +223,15 @@ std::string ended_by(const LuaState& lua, const Builder& builder, os::CpuLimit* 
     return fmt::format("{}:{}: {}", builder.file.file_name, builder.last_line, reason);
 }
 
-struct Task {
+struct PathTask {
     std::string_view text;
     Builder& builder;
     os::CpuLimit* cpu;
 };
 
-// Gets the Task; gives what its script returns.
-int run_task(lua_State* state) {
-    const Task& task = *static_cast<const Task*>(lua_touserdata(state, 1));
+// Gets the PathTask; gives what its script returns.
+int run_path_task(lua_State* state) {
+    const PathTask& task = *static_cast<const PathTask*>(lua_touserdata(state, 1));
     const std::string chunk = fmt::format("@{}", task.builder.file.file_name);
     if (luaL_loadbufferx(state, task.text.data(), task.text.size(), chunk.c_str(), "t") != LUA_OK)
         return lua_error(state);
@@ -251,8 +251,8 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
                                     os::CpuLimit* cpu) {
     lua_State* state = lua.get();
     lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_place(at, 0).line; });
-    Task task{text, builder, cpu};
-    lua_pushcfunction(state, trampoline<run_task>);
+    PathTask task{text, builder, cpu};
+    lua_pushcfunction(state, trampoline<run_path_task>);
     lua_pushlightuserdata(state, &task);
     if (lua_pcall(state, 1, 1, 0) == LUA_OK) return {};
     if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {

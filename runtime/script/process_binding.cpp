@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 #include "runtime/script/choice.h"
 #include "runtime/script/processes.h"
@@ -70,7 +70,7 @@ std::string hint(std::string_view name, const Names& names) {
     if (const auto nearest = text::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
     return names.empty() ? "a file of robots (--robots) has them"
-                         : fmt::format("there are: {}", fmt::join(names, ", "));
+                         : fmt::format("there are: {}", text::joined(names, ", "));
 }
 
 /// join(): goes on when no process is behind.

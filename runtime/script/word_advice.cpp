@@ -4,8 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "base/text/format.h"
 #include "base/text/letter_case.h"
 #include "base/text/nearest_name.h"
 
@@ -37,7 +37,7 @@ std::string word_advice(std::string_view key, std::optional<double> value,
         if (const auto nearest = text::nearest_name(small, taken))
             return fmt::format("; did you mean {}?", *nearest);
     }
-    return taken.empty() ? "" : fmt::format("; it takes {}", fmt::join(taken, ", "));
+    return taken.empty() ? "" : fmt::format("; it takes {}", text::joined(taken, ", "));
 }
 
 }  // namespace gsim::script

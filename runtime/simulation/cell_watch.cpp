@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/nearest_name.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/kinematics/pose.h"
@@ -52,7 +53,7 @@ tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) cons
     return motion::refused(Status::RRS_UNKNOWN_FRAME,
                            fmt::format("The cell has no frame '{}'; {}", name,
                                        nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                               : fmt::format("there are: {}.", fmt::join(names, ", "))));
+                                               : fmt::format("there are: {}.", text::joined(names, ", "))));
 }
 
 /// Of a frame that a program may move.

@@ -61,16 +61,11 @@ struct ArcMove {
     Place place;
 
     /// The unit vector about which the arc runs by the right hand.
-    Eigen::Vector3d axis() const { return kind == MoveKind::arc_ccw ? normal : Eigen::Vector3d(-normal); }
+    Eigen::Vector3d axis() const;
     /// From the axis to a point, at right angles to it.
-    Eigen::Vector3d radius_to(const Eigen::Vector3d& point_mm) const {
-        const Eigen::Vector3d from_center = point_mm - center_mm;
-        return from_center - normal.dot(from_center) * normal;
-    }
+    Eigen::Vector3d radius_to(const Eigen::Vector3d& point_mm) const;
     /// The length of the way between two points (of X, Y and Z), as long as its radius is that of the first.
-    double length_mm(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) const {
-        return std::hypot(radius_to(start_mm).norm() * sweep_rad, normal.dot(end_mm - start_mm));
-    }
+    double length_mm(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) const;
 };
 
 /// An arc through a point, in any plane of space.

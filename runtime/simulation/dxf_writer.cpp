@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/json_text.h"
 #include "base/units.h"
 #include "runtime/simulation/simulator.h"
@@ -52,14 +53,14 @@ DxfWriter::DxfWriter(TextStream& out, const machine::Machine& machine, std::uint
 // --- Groups: a line with the code, a line with the value ---
 
 void DxfWriter::write(int code, std::string_view value) {
-    fmt::format_to(std::back_inserter(out_.buffer()), "{}\n{}", code, value);
+    text::append_format(out_.buffer(), "{}\n{}", code, value);
     out_.end_line();
 }
 
 void DxfWriter::write(int code, double value) {
     constexpr double kLeastShown = 5e-13;
     const double shown = std::abs(value) < kLeastShown ? 0 : value;  // no -0
-    fmt::format_to(std::back_inserter(out_.buffer()), "{}\n{:.12f}", code, shown);
+    text::append_format(out_.buffer(), "{}\n{:.12f}", code, shown);
     out_.end_line();
 }
 
@@ -77,12 +78,11 @@ void DxfWriter::begin(const rrs::JointPos& /*start*/) {
                       "0\nSECTION\n2\nTABLES\n"
                       "0\nTABLE\n2\nLTYPE\n70\n1\n"
                       "0\nLTYPE\n2\nCONTINUOUS\n70\n0\n3\nSolid line\n72\n65\n73\n0\n40\n0.0\n0\nENDTAB\n");
-    fmt::format_to(std::back_inserter(out_.buffer()), "0\nTABLE\n2\nLAYER\n70\n{}\n", 2 * kDxfLayers.size());
+    text::append_format(out_.buffer(), "0\nTABLE\n2\nLAYER\n70\n{}\n", 2 * kDxfLayers.size());
     for (std::size_t i = 0; i < kDxfLayers.size(); ++i) {
         for (const std::string_view height : {std::string_view(), kChangesHeight}) {
-            fmt::format_to(std::back_inserter(out_.buffer()),
-                           "0\nLAYER\n2\n{}{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", kDxfLayers[i], height,
-                           kDxfColours[i]);
+            text::append_format(out_.buffer(), "0\nLAYER\n2\n{}{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n",
+                                kDxfLayers[i], height, kDxfColours[i]);
         }
     }
     text::append_text(out_.buffer(), "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES");

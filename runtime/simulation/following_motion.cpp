@@ -160,4 +160,8 @@ FollowingInstant FollowingMotion::at(double t_s) {
     return instant;
 }
 
+rrs::JointPos FollowingMotion::errors(double t_s) const {
+    return servos_.set_points(t_s) - servos_.places(t_s);
+}
+
 }  // namespace gsim::simulation

@@ -53,7 +53,7 @@ class FollowingMotion {
 
     /// At an instant of the last three steps.
     FollowingInstant at(double t_s);
-    rrs::JointPos errors(double t_s) const { return servos_.set_points(t_s) - servos_.places(t_s); }
+    rrs::JointPos errors(double t_s) const;
     /// Without what the tip does.
     bool in_bands(const rrs::JointPos& errors) const;
     /// After such a time whatever is left of an error is below 1e-8 of it.

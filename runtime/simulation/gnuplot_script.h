@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "base/text/number.h"
 
 namespace gsim::simulation {
@@ -16,7 +17,7 @@ class GnuplotScript {
   public:
     template <typename... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text::append_format(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
 

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "base/text/format.h"
 #include "base/text/json_text.h"
 #include "runtime/simulation/limit_name.h"
 
@@ -32,8 +33,8 @@ MovesWriter::MovesWriter(TextStream& out, const machine::Machine& machine,
 void MovesWriter::take(const RecordedMove& move) {
     fmt::memory_buffer& out = out_.buffer();
     const MoveInfo& info = move.info;
-    fmt::format_to(std::back_inserter(out), R"({{"n":{},"file":{},"line":{},"kind":"{}","to":{{)", move.n,
-                   file_text(info.place.file), info.place.line, name(info.kind));
+    text::append_format(out, R"({{"n":{},"file":{},"line":{},"kind":"{}","to":{{)", move.n,
+                        file_text(info.place.file), info.place.line, name(info.kind));
     append_target(move.end);
     append_text(out, "}");
     if (is_arc(info.kind)) append_arc(move);
@@ -79,11 +80,11 @@ void MovesWriter::append_arc(const RecordedMove& move) {
     append_normal(move.info.normal);
     append_text(out, R"(},"plane":)");
     if (const auto plane = main_plane(move.info.normal)) {
-        fmt::format_to(std::back_inserter(out), R"("{}")", name(*plane));
+        text::append_format(out, R"("{}")", name(*plane));
     } else {
         append_text(out, "null");
     }
-    fmt::format_to(std::back_inserter(out), R"(,"turns":{})", move.info.turns);
+    text::append_format(out, R"(,"turns":{})", move.info.turns);
 }
 
 void MovesWriter::append_normal(const Eigen::Vector3d& normal) {
@@ -125,7 +126,7 @@ void MovesWriter::append_axes_beyond(std::uint16_t joints) {
     bool first = true;
     for (std::size_t joint = 0; joint < machine_.axes.size(); ++joint) {
         if ((joints >> joint & 1U) == 0) continue;
-        fmt::format_to(std::back_inserter(out), R"({}"{}")", first ? "" : ",", machine_.axes[joint].letter);
+        text::append_format(out, R"({}"{}")", first ? "" : ",", machine_.axes[joint].letter);
         first = false;
     }
     out.push_back(']');

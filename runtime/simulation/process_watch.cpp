@@ -12,7 +12,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-constexpr double kStepsPerMm = 1000;  // heights are told apart by whole micrometres
+constexpr double kHeightStepsPerMm = 1000;  // heights are told apart by whole micrometres
 constexpr double kNoWay_mm = 1e-6;
 constexpr double kUpright = 1 - 1e-9;  // of a normal: arcs in the XY plane
 constexpr std::size_t kMostPlanes = 10'000;
@@ -110,8 +110,8 @@ std::optional<std::int64_t> ProcessWatch::level_um(const RecordedMove& move) con
     if (!z_axis_) return 0;
     const auto joint = static_cast<Eigen::Index>(*z_axis_);
     const double height_mm = move.end[joint];
-    if (std::abs(height_mm - last_end_[joint]) > 1 / kStepsPerMm) return std::nullopt;
-    return std::llround(height_mm * kStepsPerMm);
+    if (std::abs(height_mm - last_end_[joint]) > 1 / kHeightStepsPerMm) return std::nullopt;
+    return std::llround(height_mm * kHeightStepsPerMm);
 }
 
 // A feed with the process off is a fault at a height at which the program cuts, and no fault above it. Which

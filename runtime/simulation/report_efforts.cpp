@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "runtime/simulation/report_values.h"
 #include "runtime/simulation/report_words.h"
 
@@ -57,7 +58,7 @@ class Lines {
   public:
     template <typename... Args>
     void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text::append_format(text_, format, std::forward<Args>(args)...);
         text_.erase(text_.find_last_not_of(' ') + 1);
         text_ += '\n';
     }

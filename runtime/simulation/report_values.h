@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "runtime/simulation/report.h"
 

@@ -7,7 +7,7 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // mm or deg
+constexpr double kRangeRounding = 1e-6;  // mm or deg
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void StepRanges::take(const motion::Segment& segment, const MoveInfo& info) {
 
 void StepRanges::look(std::size_t axis, double value, double t_s, const MoveInfo& info) {
     const machine::Axis& range = machine_.axes[axis];
-    const double slack = kRounding + range.step / 2;
+    const double slack = kRangeRounding + range.step / 2;
     if (value >= range.min - slack && value <= range.max + slack) return;
     const auto known = std::find_if(found_.begin(), found_.end(),
                                     [axis](const StepPastRange& step) { return step.axis == axis; });

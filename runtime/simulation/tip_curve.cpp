@@ -8,8 +8,8 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kSamePoint_mm = 1e-9;
-constexpr double kStep_rad = std::numbers::pi / 4;  // that turns are looked at by, at least
+constexpr double kSameTip_mm = 1e-9;
+constexpr double kTurnStep_rad = std::numbers::pi / 4;  // that turns are looked at by, at least
 constexpr int kLeastOfCurve = 8;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr int kLeastOfCurve = 8;
 double least_parts(const motion::Segment& segment, const PartTip& tip) {
     double turned_rad = tip.turned_rad(segment.start, segment.end_position());
     if (segment.kind == motion::SegmentKind::circular) turned_rad += segment.arc.sweep_rad;
-    const double turning = std::min(std::ceil(turned_rad / kStep_rad), kMostParts);
+    const double turning = std::min(std::ceil(turned_rad / kTurnStep_rad), kMostParts);
     if (segment.kind == motion::SegmentKind::circular) return std::max<double>(kLeastOfCurve, turning);
     const bool straight_joints = segment.kind == motion::SegmentKind::linear && !segment.beside &&
                                  segment.followers().empty() && !segment.orientation;
@@ -28,7 +28,7 @@ double distance_from_line(const Eigen::Vector3d& point, const Eigen::Vector3d& f
                           const Eigen::Vector3d& to) {
     const Eigen::Vector3d along = to - from;
     const double length2 = along.squaredNorm();
-    if (length2 < kSamePoint_mm * kSamePoint_mm) return (point - from).norm();
+    if (length2 < kSameTip_mm * kSameTip_mm) return (point - from).norm();
     const double share = std::clamp((point - from).dot(along) / length2, 0.0, 1.0);
     return (point - from - share * along).norm();
 }

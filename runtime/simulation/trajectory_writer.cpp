@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "base/text/format.h"
 #include "base/text/json_text.h"
 #include "base/units.h"
 
@@ -44,27 +45,26 @@ void TrajectoryWriter::end(double end_s) {
 
 void TrajectoryWriter::write_header() {
     fmt::memory_buffer& out = out_.buffer();
-    auto end = std::back_inserter(out);
-    fmt::format_to(end, "t_s,line,");
+    text::append_text(out, "t_s,line,");
     for (const machine::Axis& axis : machine_.axes) {
         const char letter = static_cast<char>(axis.letter - 'A' + 'a');
-        fmt::format_to(end, "{}_{},", letter, axis.kind == machine::AxisKind::linear ? "mm" : "deg");
+        text::append_format(out, "{}_{},", letter, axis.kind == machine::AxisKind::linear ? "mm" : "deg");
     }
-    fmt::format_to(end, "speed_mm_s");
+    text::append_format(out, "speed_mm_s");
     if (efforts_) {
         for (const machine::Axis& axis : machine_.axes) {
             const char letter = static_cast<char>(axis.letter - 'A' + 'a');
-            fmt::format_to(end, ",{}_{}", letter, axis.kind == machine::AxisKind::linear ? "n" : "nm");
+            text::append_format(out, ",{}_{}", letter, axis.kind == machine::AxisKind::linear ? "n" : "nm");
         }
-        fmt::format_to(end, ",power_w");
+        text::append_format(out, ",power_w");
     }
     if (following_) {
         for (const machine::Axis& axis : machine_.axes) {
             const char letter = static_cast<char>(axis.letter - 'A' + 'a');
-            fmt::format_to(end, ",{}_error_{}", letter,
-                           axis.kind == machine::AxisKind::linear ? "mm" : "deg");
+            text::append_format(out, ",{}_error_{}", letter,
+                                axis.kind == machine::AxisKind::linear ? "mm" : "deg");
         }
-        fmt::format_to(end, ",tip_x_mm,tip_y_mm,tip_z_mm,contour_mm");
+        text::append_format(out, ",tip_x_mm,tip_y_mm,tip_z_mm,contour_mm");
     }
     out_.end_line();
 }
@@ -111,7 +111,7 @@ bool TrajectoryWriter::sample(double t_s, const rrs::JointPos& joints, double sp
     if (cut_short_ && !at_end_) return false;
     fmt::memory_buffer& out = out_.buffer();
     append_number(out, t_s);
-    fmt::format_to(std::back_inserter(out), ",{},", line);
+    text::append_format(out, ",{},", line);
     for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
         append_number(out, axis_value(machine_.axes[i], joints[static_cast<Eigen::Index>(i)]));
         out.push_back(',');

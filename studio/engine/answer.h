@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "engine/request.h"
 #include "studio/engine/keys.h"
 #include "studio/engine/run_messages.h"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
 #include "engine/machine.h"
 #include "engine/machine_data.h"
 #include "studio/engine/answer.h"
@@ -130,7 +131,7 @@ void post_data(const MachineData& data, const std::string& entries, const Post& 
     for (const engine::Diagnostic& suspect : data.suspects()) post_told(suspect, post);
     Message message("data");
     message.header()["sections"] = sections_json(data);
-    message.header()["entries"] = nlohmann::ordered_json::parse(entries);
+    message.header()["entries"] = text::parse_json<nlohmann::ordered_json>(entries);
     message.add("text", data.text());
     post(message.bytes());
 }

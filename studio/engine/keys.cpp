@@ -4,7 +4,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "base/text/format.h"
 
 namespace gsim::studio {
 
@@ -34,7 +35,7 @@ void Keys::word(const char* key, std::span<const char* const> words, std::option
     if (found != words.end()) {
         place = static_cast<std::size_t>(found - words.begin());
     } else {
-        fault(fmt::format("'{}' should be one of {}, not '{}'", key, fmt::join(words, ", "),
+        fault(fmt::format("'{}' should be one of {}, not '{}'", key, text::joined(words, ", "),
                           value->get<std::string>()));
     }
 }

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::studio {
 

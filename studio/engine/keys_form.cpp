@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "base/text/json.h"
 #include "engine/file_keys.h"
 #include "studio/engine/answer.h"
 #include "studio/engine/keys.h"
@@ -25,7 +26,7 @@ Done answer_keys(const nlohmann::json& own, const engine::Request& /*request*/, 
     Message message("keys");
     message.header()["of"] = kFiles.at(*of);
     message.header()["tables"] =
-        nlohmann::ordered_json::parse(engine::file_keys_json(static_cast<engine::KeyedFile>(*of)));
+        text::parse_json<nlohmann::ordered_json>(engine::file_keys_json(static_cast<engine::KeyedFile>(*of)));
     post(message.bytes());
     return {};
 }

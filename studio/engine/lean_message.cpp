@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "studio/engine/message.h"
 
 namespace gsim::studio {
@@ -34,7 +33,7 @@ std::size_t header_size(std::string_view message) {
 
 /// The header of a message of segments; null of another one.
 json segments_header(std::string_view message) {
-    json header = json::parse(message.substr(kHead, header_size(message)), nullptr, false);
+    json header = text::try_parse_json<json>(message.substr(kHead, header_size(message)));
     if (!header.is_object()) throw std::invalid_argument("a message has no header");
     return header.value("is", "") == "segments" ? header : json();
 }

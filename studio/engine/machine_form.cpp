@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/text/json.h"
 #include "engine/machine.h"
 #include "engine/machine_faults.h"
 #include "studio/engine/answer.h"
@@ -20,7 +21,7 @@ Done answer_machine(const nlohmann::json& own, const engine::Request& request, c
         return tl::unexpected(check.error());
     }
     Message message("machine");
-    message.header()["check"] = nlohmann::ordered_json::parse(check->json);
+    message.header()["check"] = text::parse_json<nlohmann::ordered_json>(check->json);
     message.header()["text"] = check->text;
     post(message.bytes());
     return {};

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include "base/text/json.h"
 #include "engine/run.h"
 #include "engine/translation.h"
 

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "base/text/json.h"
 #include "engine/language.h"
 #include "engine/machine.h"
 #include "engine/run.h"
@@ -79,7 +80,7 @@ Done answer_envelope(const nlohmann::json& /*own*/, const engine::Request& reque
 
 Done answer_languages(const nlohmann::json& /*own*/, const engine::Request& /*request*/, const Post& post) {
     Message message("languages");
-    message.header()["languages"] = nlohmann::ordered_json::parse(engine::languages_json());
+    message.header()["languages"] = text::parse_json<nlohmann::ordered_json>(engine::languages_json());
     post(message.bytes());
     return {};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
 #include "studio/engine/message.h"
 #include "studio/engine/run_series.h"
 
@@ -33,7 +34,7 @@ tl::expected<Json, engine::Failure> post_scene(const Run& run, std::size_t robot
     Message message("scene");
     message.header()["robot"] = robot;
     message.header()["name"] = run.robots()[robot];
-    Json told = Json::parse(scene->json);
+    Json told = text::parse_json<Json>(scene->json);
     message.header()["scene"] = told;
     message.header()["files"] = run.files(robot);
     for (std::size_t i = 0; meshes == Meshes::with && i < scene->meshes_mm.size(); ++i)
@@ -102,7 +103,7 @@ Done post_end(const Run& run, const RunSeries& series, const engine::Report& rep
 
 void post_report(const engine::Report& report, const Post& post) {
     Message message("report");
-    message.header()["report"] = nlohmann::ordered_json::parse(report.json());
+    message.header()["report"] = text::parse_json<nlohmann::ordered_json>(report.json());
     message.header()["text"] = report.text();
     post(message.bytes());
 }

@@ -3,8 +3,7 @@
 #include <list>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "engine/run.h"
 #include "studio/engine/run_messages.h"
 #include "studio/engine/series.h"

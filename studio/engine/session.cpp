@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/json.h"
 #include "studio/engine/answer.h"
 #include "studio/engine/message.h"
 #include "studio/engine/request.h"
@@ -113,7 +114,7 @@ Done end_of(Keys& keys) {
 
 void serve(std::string_view asked, const engine::Host& host, const Post& post) {
     end(guarded([&]() -> Done {
-            auto read = json::parse(asked, nullptr, false);
+            auto read = text::try_parse_json<json>(asked);
             if (read.is_discarded()) return tl::unexpected(usage_failure("a request should be JSON"));
             return answer(std::move(read), host, post);
         }),

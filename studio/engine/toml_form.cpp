@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/text/json.h"
 #include "engine/toml_edit.h"
 #include "studio/engine/answer.h"
 #include "studio/engine/keys.h"
@@ -19,7 +20,7 @@ Done answer_toml(const nlohmann::json& own, const engine::Request& request, cons
                                             [&](const engine::Diagnostic& told) { post_told(told, post); });
     if (!edited) return tl::unexpected(edited.error());
     Message message("toml");
-    message.header()["value"] = nlohmann::ordered_json::parse(edited->json);
+    message.header()["value"] = text::parse_json<nlohmann::ordered_json>(edited->json);
     message.add("text", edited->text);
     post(message.bytes());
     return {};

@@ -17,6 +17,7 @@
 #include <pthread.h>
 
 #include "base/os/input_file.h"
+#include "base/text/json.h"
 #include "studio/server/browser_page.h"
 #include "studio/server/studio_server.h"
 
@@ -70,7 +71,7 @@ tl::expected<ServedStudio, std::string> served_of(const nlohmann::ordered_json& 
 }
 
 int run(const std::string& argument) {
-    const auto told = nlohmann::ordered_json::parse(argument, nullptr, false);
+    const auto told = text::try_parse_json<nlohmann::ordered_json>(argument);
     if (!told.is_object()) return refuse("gsim-serve is not made to be called; gsim studio calls it");
     auto served = served_of(told);
     if (!served) return refuse(served.error());

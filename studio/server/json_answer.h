@@ -3,7 +3,8 @@
 #include <string>
 
 #include <httplib.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::studio {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <httplib.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/bound_folder.h"
+#include "base/text/json.h"
 #include "studio/server/connections.h"
 #include "studio/server/folder_answers.h"
 #include "studio/server/guard.h"

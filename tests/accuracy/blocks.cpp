@@ -4,7 +4,8 @@
 #include <istream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::accuracy {
 
@@ -45,7 +46,7 @@ tl::expected<std::vector<Block>, std::string> read_blocks(std::istream& moves) {
     for (long number = 1; std::getline(moves, line); ++number) {
         if (line.empty()) continue;
         try {
-            append(blocks, read_move(json::parse(line)));
+            append(blocks, read_move(text::parse_json<json>(line)));
         } catch (const std::exception& error) {  // nlohmann's
             return tl::unexpected(
                 fmt::format("line {} of the moves cannot be understood: {}", number, error.what()));

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/child_process.h"
 #include "base/os/file_handle.h"
+#include "base/text/json.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::accuracy {
@@ -134,7 +134,7 @@ tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recordin
 
 tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
     try {
-        const json object = json::parse(report);
+        const json object = text::parse_json<json>(report);
         const std::string status = object.at("status").get<std::string>();
         if (status == "completed") return object.at("cycle_time_s").get<double>();
         const json& why = status == "violations" ? object.at("violations").at(0) : object.at("alarm");
@@ -147,7 +147,7 @@ tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
 double first_motion_s(std::istream& moves) {
     std::string line;
     while (std::getline(moves, line)) {
-        const json move = json::parse(line, nullptr, false);
+        const json move = text::try_parse_json<json>(line);
         if (move.is_object() && move.value("kind", "dwell") != "dwell") return move.value("start_s", 0.0);
     }
     return 0;

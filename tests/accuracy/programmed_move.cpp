@@ -11,7 +11,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::accuracy {
 
@@ -141,7 +142,7 @@ tl::expected<std::vector<ProgrammedMove>, std::string> read_programmed_moves(
     std::string line;
     for (int number = 1; std::getline(moves, line); ++number) {
         try {
-            read.push_back(move_in(json::parse(line), machine, at));
+            read.push_back(move_in(text::parse_json<json>(line), machine, at));
         } catch (const std::exception& error) {  // nlohmann's and the maps'
             return tl::unexpected(fmt::format("line {} of the moves: {}", number, error.what()));
         }

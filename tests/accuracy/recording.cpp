@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/accuracy/run_table.h"
 
 namespace gsim::accuracy {
@@ -145,7 +145,7 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path
 tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
                                              Recording& recording) {
     try {
-        const json figures = json::parse(json_text);
+        const json figures = text::parse_json<json>(json_text);
         recording.cycle_time_s = time_in(figures.at(std::string(controller.time_key)));
         recording.note = figures.at(std::string(controller.note_key)).get<std::string>();
         recording.exact_stop = figures.value("mode", "") == "G61.1";

@@ -1,8 +1,8 @@
 // Paths that lead past what stands on the machine, held against the run that looks for collisions.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::autopath_in_cell_test {

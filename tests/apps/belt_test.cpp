@@ -7,8 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::belt_test {
@@ -53,7 +52,7 @@ double way_after(double t_s, double way_mm, double speed_mm_s) {
 /// A run of the sample, with what its right gantry has done.
 class BeltRun {
   public:
-    explicit BeltRun(const Ended& ended) : report_(json::parse(ended.out)) {
+    explicit BeltRun(const Ended& ended) : report_(text::parse_json<json>(ended.out)) {
         for (const json& signal : report_["signals"]) {
             const std::string name = signal["signal"];
             if (name.rfind("laid", 0) != 0) continue;
@@ -91,7 +90,7 @@ TEST_F(Belt, EachBlankIsCaughtAndEngravedAtItsTime) {
     std::istringstream moves(read("m.right.jsonl"));
     std::map<int, std::vector<json>> by_line;
     for (std::string line; std::getline(moves, line);) {
-        json move = json::parse(line);
+        json move = text::parse_json<json>(line);
         if (move["kind"] == "linear") by_line[move["line"]].push_back(std::move(move));
     }
     for (std::size_t blank = 0; blank < 3; ++blank) {

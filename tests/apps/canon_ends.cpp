@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 namespace gsim::apps {
 
@@ -56,7 +56,7 @@ Ends ends_of_moves(const std::string& jsonl) {
     Ends ends;
     std::istringstream lines(jsonl);
     for (std::string line; std::getline(lines, line);) {
-        const auto move = nlohmann::json::parse(line);
+        const auto move = text::parse_json<nlohmann::json>(line);
         if (move["kind"] == "dwell" || !move.contains("to")) continue;
         const auto& to = move["to"];
         add(ends, {to["X"], to["Y"], to["Z"], to.value("B", 0.0), to.value("C", 0.0)},

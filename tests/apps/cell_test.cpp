@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::cell_test {
@@ -17,7 +17,7 @@ class Cell : public Apps {
     json report(const std::string& program, int status) {
         const Ended e = gsim_run({program, "--cell", cell_, "--json"});
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out);
+        return text::parse_json<json>(e.out);
     }
     const std::string cell_ = write("cell.toml", R"(
 [cell]
@@ -149,7 +149,7 @@ TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
     const auto run = [&](const std::string& cell, int status) {
         const Ended e = gsim_run({samples + "wheel.nc", "--cell", cell, "--json"});
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out);
+        return text::parse_json<json>(e.out);
     };
     const json clean = run(samples + "cell/wheel.toml", 0);
     EXPECT_EQ(clean["collisions"].size() + clean["clearances"].size(), 0U);

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::controller_module_test {
@@ -34,10 +34,10 @@ class ControllerModule : public Apps {
 
 TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     const std::string part = write("part.nc", kPart);
-    const json built_in = json::parse(gsim_run({part, "--json"}).out);
+    const json built_in = text::parse_json<json>(gsim_run({part, "--json"}).out);
     const Ended e = gsim_run({part, "--json", "--explain", "--rcs", GSIM_RCS_DEFAULT});
     ASSERT_EQ(e.status, 0) << e.err;
-    const json module = json::parse(e.out);
+    const json module = text::parse_json<json>(e.out);
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
     EXPECT_NEAR(module["time"]["feed_s"].get<double>(), built_in["time"]["feed_s"].get<double>(), 0.005);
     EXPECT_EQ(module["moves"], built_in["moves"]);
@@ -57,7 +57,7 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
     const auto run = [this](const std::string& program, const std::vector<std::string>& more) {
         std::vector<std::string> arguments{program, "--json", "--machine-data", "data.txt"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return json::parse(gsim_run(arguments).out);
+        return text::parse_json<json>(gsim_run(arguments).out);
     };
     const json built_in = run(part, {});
     ASSERT_EQ(built_in["status"], "completed") << built_in["alarm"];
@@ -162,7 +162,7 @@ class TurningTools : public ControllerModule, public testing::WithParamInterface
         std::vector<json> moves;
         std::istringstream lines(read(name));
         for (std::string line; std::getline(lines, line);) {
-            json move = json::parse(line);
+            json move = text::parse_json<json>(line);
             if (move["end_s"].get<double>() - move["start_s"].get<double>() >= kStep_s)
                 moves.push_back(std::move(move));
         }
@@ -190,7 +190,7 @@ TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
                                          sample(std::string("machines/") + GetParam().machine), "--json"};
     const Ended a = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
     const Ended b = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs", GSIM_RCS_DEFAULT});
-    const json built_in = json::parse(a.out), module = json::parse(b.out);
+    const json built_in = text::parse_json<json>(a.out), module = text::parse_json<json>(b.out);
     ASSERT_EQ(module["alarm"], nullptr) << b.out;
     EXPECT_EQ(module["status"], built_in["status"]);
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(Machines, TurningTools,
 // The module has the machine's ranges, too, and says so in joints and rad.
 TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
     const std::string part = write("part.nc", "G1 A10 B-60 F3000\nM2\n");
-    const json report = json::parse(
+    const json report = text::parse_json<json>(
         gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs", GSIM_RCS_DEFAULT}).out);
     EXPECT_EQ(report["alarm"]["message"], "axis B would go to -60 deg, past its limit of -45 deg");
     EXPECT_EQ(report["alarm"]["axis"], "B");
@@ -267,7 +267,7 @@ TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
     const Ended e = gsim_run(
         {part_, "--json", "--moves", "moves", "--trajectory", "way.csv", "--rcs", test_module("crashes")});
     EXPECT_EQ(e.status, 1);
-    const json report = json::parse(e.out);
+    const json report = text::parse_json<json>(e.out);
     EXPECT_EQ(report["status"], "alarm");
     EXPECT_EQ(report["alarm"]["message"],
               "The controller module crashes.so crashed in GetNextStep (signal 11).");
@@ -281,7 +281,7 @@ TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
 TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
     const Ended e = gsim_run({part_, "--json", "--rcs", test_module("prints")});
     EXPECT_EQ(e.status, 0) << e.err;
-    EXPECT_EQ(json::parse(e.out)["status"], "completed");
+    EXPECT_EQ(text::parse_json<json>(e.out)["status"], "completed");
     EXPECT_TRUE(holds(e.err, "rubbish"));
 }
 

@@ -1,7 +1,6 @@
 // What the programs find, as JSON and as SARIF.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::diagnostics_test {
@@ -16,7 +15,7 @@ class DiagnosticsOutside : public Apps {
     }
     /// The only diagnostic of a document.
     static json only(const std::string& document) {
-        const json read = json::parse(document, nullptr, false);
+        const json read = text::try_parse_json<json>(document);
         if (!read.is_object() || !read.contains("diagnostics") || read["diagnostics"].size() != 1) {
             ADD_FAILURE() << document;
             return {};
@@ -69,7 +68,7 @@ TEST_F(DiagnosticsOutside, AReportHasThemWithTheLineOfASyntaxError) {
     write("part.nc", kWrong);
     const Ended e = gsim_run({"--json", "part.nc"});
     EXPECT_EQ(e.status, 1);
-    const json report = json::parse(e.out, nullptr, false);
+    const json report = text::try_parse_json<json>(e.out);
     ASSERT_EQ(report["diagnostics"].size(), 1U) << e.out;
     expect_wrong_word(report["diagnostics"][0]);
     EXPECT_EQ(report["alarm"]["line"], 2);
@@ -79,7 +78,7 @@ TEST_F(DiagnosticsOutside, AReportHasThemWithTheLineOfASyntaxError) {
 
 TEST_F(DiagnosticsOutside, OfARun) {
     write("part.nc", "G1 X1\n");
-    const json report = json::parse(gsim_run({"--json", "part.nc"}).out, nullptr, false);
+    const json report = text::try_parse_json<json>(gsim_run({"--json", "part.nc"}).out);
     ASSERT_EQ(report["diagnostics"].size(), 1U) << report;
     EXPECT_EQ(report["diagnostics"][0]["code"], "feed");
     EXPECT_EQ(report["diagnostics"][0]["line"], 1);
@@ -89,7 +88,7 @@ TEST_F(DiagnosticsOutside, OfARun) {
 TEST_F(DiagnosticsOutside, AnAlarmTellsTheCallsThatLedToIt) {
     write("part.nc", "O1\nM98 P2\nM30\nO2\n#100=1/0\nM99\n");
     const Ended e = gsim({"check", "--json", "part.nc"});
-    const json document = json::parse(e.out, nullptr, false);
+    const json document = text::try_parse_json<json>(e.out);
     ASSERT_EQ(document["diagnostics"].size(), 2U) << e.out;
     EXPECT_EQ(document["diagnostics"][0]["code"], "arithmetic");
     EXPECT_EQ(document["diagnostics"][0]["line"], 5);
@@ -105,7 +104,7 @@ TEST_F(DiagnosticsOutside, ACheckOfSeveralProgramsIsOneDocument) {
     const Ended e = gsim({"check", "--json", "part.nc", "good.nc", "missing.nc"});
     EXPECT_EQ(e.status, 2);
     EXPECT_EQ(e.err, "");
-    const json document = json::parse(e.out, nullptr, false);
+    const json document = text::try_parse_json<json>(e.out);
     ASSERT_EQ(document["programs"].size(), 3U) << e.out;
     EXPECT_EQ(document["programs"][0]["status"], "not run");
     EXPECT_EQ(document["programs"][1]["status"], "completed");
@@ -152,7 +151,7 @@ TEST_F(DiagnosticsOutside, AsSarif) {
     const Ended e = gcode2lua({"--sarif", "found.sarif", "--check", "a part.nc"});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.err, "a part.nc:2:7: error: ")) << "text as ever: " << e.err;
-    const json sarif = json::parse(read("found.sarif"), nullptr, false);
+    const json sarif = text::try_parse_json<json>(read("found.sarif"));
     EXPECT_EQ(sarif["version"], "2.1.0");
     const json& run = sarif["runs"][0];
     EXPECT_EQ(run["tool"]["driver"]["name"], "gsim");
@@ -173,7 +172,7 @@ TEST_F(DiagnosticsOutside, SarifOfARunIsOfTheRun) {
     const Ended e = gsim_run({"--sarif", "-", "part.nc"});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.err, "program")) << "the report makes way";
-    const json sarif = json::parse(e.out, nullptr, false);
+    const json sarif = text::try_parse_json<json>(e.out);
     EXPECT_EQ(sarif["runs"][0]["results"][0]["ruleId"], "feed") << e.out;
 }
 

@@ -1,8 +1,7 @@
 // Both programs with the options that say how G-code is read, and what stands beside a program: setup scripts
 // and permanent variables.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::dialects_test {
@@ -16,7 +15,7 @@ class Dialects : public Apps {
         arguments.push_back("--json");
         const Ended e = gsim_run(arguments);
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
 };
 

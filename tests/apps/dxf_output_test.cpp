@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "cam/drawing/dxf_reader.h"
 #include "tests/apps/run_program.h"
 
@@ -68,7 +68,7 @@ class DxfOutput : public Apps {
     std::vector<json> moves() const {
         std::istringstream file(read("m.jsonl"));
         std::vector<json> moves;
-        for (std::string line; std::getline(file, line);) moves.push_back(json::parse(line));
+        for (std::string line; std::getline(file, line);) moves.push_back(text::parse_json<json>(line));
         return moves;
     }
 };
@@ -119,7 +119,7 @@ TEST_F(DxfOutput, LengthsAreThoseOfTheReport) {
              {"--report", "r.json", "--dialect", "rs274ngc"})
             .status,
         0);
-    const json report = json::parse(read("r.json"));
+    const json report = text::parse_json<json>(read("r.json"));
     EXPECT_NEAR(length_of(on({"RAPID"})), report["length"]["rapid_mm"].get<double>(), 1e-6);
     const double circle_mm = 2 * std::numbers::pi * 5;
     EXPECT_NEAR(length_of(on({"FEED"})), report["length"]["feed_mm"].get<double>() - 2 * circle_mm, 1e-6);

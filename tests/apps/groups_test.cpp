@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::groups_test {
@@ -51,7 +50,7 @@ TEST_F(AxisGroups, AnIndependentTableHitsTheToolAtItsTime) {
         const std::string script = write("turn.lua", "group('table').move{c=180}\n" + meanwhile + "\n");
         const Ended e = gsim_run({"--machine", "bar.toml", script, "--json"});
         EXPECT_EQ(e.status, 1) << e.err;
-        const json report = json::parse(e.out);
+        const json report = text::parse_json<json>(e.out);
         ASSERT_FALSE(report["collisions"].empty()) << meanwhile;
         const double angle_deg = 90 - std::asin(10 / 150.0) * 180 / M_PI;
         EXPECT_NEAR(report["collisions"][0]["t_s"].get<double>(), angle_deg / 30 + 30 / 60.0 / 2, 1e-5)

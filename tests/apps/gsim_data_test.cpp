@@ -1,8 +1,8 @@
 // gsim-data: what the form of a controller does, on the command line.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::gsim_data_test {
@@ -60,7 +60,7 @@ TEST_F(GsimData, Gets) {
     write("d.txt", kData);
     EXPECT_EQ(gsim_data({"d.txt", "get", "OFFSET", "54"}).out, "X 200.000\nY 1\nZ 2\nUNIT metric\n");
     EXPECT_EQ(gsim_data({"d.txt", "get", "alias", "JETON", "code"}).out, "M08\n");
-    EXPECT_EQ(json::parse(gsim_data({"d.txt", "get", "TOOL", "1", "--json"}).out),
+    EXPECT_EQ(text::parse_json<json>(gsim_data({"d.txt", "get", "TOOL", "1", "--json"}).out),
               (json{{"id", "1"}, {"unit", "metric"}, {"LENGTH", 50.0}, {"DIAMETER", 10.0}, {"KIND", "JET"}}));
     EXPECT_EQ(gsim_data({"--json", "d.txt", "get", "OFFSET", "54", "X"}).out, "200.0\n");
 }
@@ -160,7 +160,7 @@ TEST_F(GsimData, JsonAndBack) {
     const Ended e = gsim_data({"back.txt", "convert", "--from-json", "d.json", "--machine", machine()});
     ASSERT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(gsim_data({"back.txt", "list", "--json"}).out, gsim_data({sample, "list", "--json"}).out);
-    EXPECT_EQ(json::parse(read("d.json"))["SECURITY"][1]["ZMAX"], 50.0);
+    EXPECT_EQ(text::parse_json<json>(read("d.json"))["SECURITY"][1]["ZMAX"], 50.0);
 }
 
 TEST_F(GsimData, JsonThatIsNoMachineData) {

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::gsim_run_test {
@@ -18,7 +17,7 @@ class GsimRun : public Apps {
         arguments.push_back("--json");
         const Ended e = gsim_run(arguments, input);
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
 };
 
@@ -210,7 +209,7 @@ TEST_F(GsimRun, OddInputsEnd) {
         write("odd.lua", input);
         const Ended lua = gsim_run({"odd.lua", "--json"});
         EXPECT_TRUE(lua.status == 0 || lua.status == 1) << lua.status;
-        EXPECT_FALSE(json::parse(lua.out, nullptr, false).is_discarded()) << lua.out;
+        EXPECT_FALSE(text::try_parse_json<json>(lua.out).is_discarded()) << lua.out;
     }
 }
 
@@ -218,7 +217,7 @@ TEST_F(GsimRun, PrintOfAScriptLeavesTheReportWhole) {
     const Ended e = gsim_run({write("part.lua", "print(\"hello\", 5)\nG0{x=1}\n"), "--json"});
     EXPECT_EQ(e.status, 0);
     EXPECT_EQ(e.err, "hello\t5\n");
-    EXPECT_FALSE(json::parse(e.out, nullptr, false).is_discarded());
+    EXPECT_FALSE(text::try_parse_json<json>(e.out).is_discarded());
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/units.h"
 #include "tests/apps/run_program.h"
 
@@ -124,7 +124,7 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
 // To and fro on the lead, for the time that the material takes.
 TEST_F(LeaningJet, AMovingPierceTakesItsTimeOnTheLead) {
     drive({"--speed", "300", "--kerf", "0.8", "--pierce", "4", "--moving-pierce"});
-    const json path = json::parse(read("ring.path.json"));
+    const json path = text::parse_json<json>(read("ring.path.json"));
     for (std::size_t contour = 1; contour < path["paths"].size(); ++contour) {
         const json& targets = path["paths"][contour]["targets"];
         ASSERT_EQ(targets[1]["actions"][0], "waterjet_on");

@@ -1,7 +1,6 @@
 // What ends runs that take too long or too much memory, wherever that is.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::limits_test {
@@ -15,7 +14,7 @@ constexpr const char* kReached = "(--max-cpu-seconds)";
 
 json stopped(const Ended& run) {
     EXPECT_EQ(run.status, 1) << run.err;
-    json report = json::parse(run.out);
+    json report = text::parse_json<json>(run.out);
     EXPECT_EQ(report["status"], "stopped");
     EXPECT_EQ(report["alarm"]["code"], "run-limit");
     EXPECT_TRUE(holds(report["alarm"]["message"], kReached)) << report["alarm"];
@@ -85,14 +84,14 @@ TEST_F(Limits, AProgramThatIsRunAgainAndAgainIsKeptOnce) {
     write("part.lua", "for i = 1, 40 do run(\"sub.nc\") end\n");
     const Ended run = gsim_run({"part.lua", "--memory", "16", "--json"});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(json::parse(run.out)["moves"], 80'000) << run.out.substr(0, 400);
+    EXPECT_EQ(text::parse_json<json>(run.out)["moves"], 80'000) << run.out.substr(0, 400);
 }
 
 TEST_F(Limits, ARefusalTellsWhatAsksForHowMuch) {
     write("part.lua", "local s = (\"x\"):rep(1 << 30)\n");
     const Ended run = gsim_run({"part.lua", "--memory", "64", "--json"});
     EXPECT_EQ(run.status, 1);
-    const std::string message = json::parse(run.out)["alarm"]["message"];
+    const std::string message = text::parse_json<json>(run.out)["alarm"]["message"];
     EXPECT_TRUE(holds(message, "needs more memory than the run may use, 64 MB (--memory): ")) << message;
     EXPECT_TRUE(holds(message, "in use, and it asks for 1024.0 MB")) << message;
 }

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
 
@@ -45,7 +45,7 @@ class MachineFrames : public Apps {
         all.emplace_back("--json");
         const Ended e = gsim_run(all);
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
     double contact_s(const std::string& body, const std::vector<std::string>& more = {}) const {
         std::vector<std::string> arguments{script(body), "--machine", machine_, "--cell", cell_};

@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::machine_import_test {
@@ -19,7 +19,7 @@ class MachineImport : public Apps {
         arguments.push_back("--json");
         const Ended e = gsim_run(arguments);
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
     static std::string sample(const std::string& name) {
         return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
@@ -52,7 +52,7 @@ TEST_F(MachineImport, AnIniRunsWithItsOffsetsAndTools) {
     write("part.ngc", "G21 G54 T1 M6\nG43 H1\nG0 X10 Y0 Z0\nM2\n");
     const Ended e = gsim_run({"--machine", "gantry.ini", "--json", "part.ngc"});
     EXPECT_EQ(e.status, 0) << e.err;
-    const json r = json::parse(e.out, nullptr, false);
+    const json r = text::try_parse_json<json>(e.out);
     EXPECT_EQ(r["machine"], "gantry");
     EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 100, 1e-9) << "turned by 90 degrees, X goes along Y";
     EXPECT_NEAR(r["bounds"]["Y"]["max"].get<double>(), 60, 1e-9);
@@ -134,7 +134,7 @@ TEST_F(MachineImport, RecordedProgramsTakeTheTimesOfTheSample) {
         const json by_sample =
             report({"--machine", sample("machines/linuxcnc-gantry.toml"), "--dialect", "rs274ngc", program});
         EXPECT_EQ(by_ini["cycle_time_s"], by_sample["cycle_time_s"]) << name;
-        const double measured_s = json::parse(recorded)["cycle_time_s"].get<double>();
+        const double measured_s = text::parse_json<json>(recorded)["cycle_time_s"].get<double>();
         EXPECT_NEAR(by_ini["cycle_time_s"].get<double>(), measured_s, 0.005 * measured_s) << name;
         ++compared;
     }

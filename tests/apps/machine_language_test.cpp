@@ -1,7 +1,6 @@
 // Dialect and units of programs by the machine file; names of controls; hints and warnings.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::machine_language_test {
@@ -24,7 +23,7 @@ class MachineLanguage : public Apps {
         arguments.push_back("--json");
         const Ended e = gsim_run(arguments);
         EXPECT_EQ(e.status, status) << e.err;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
 };
 

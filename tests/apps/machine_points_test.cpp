@@ -4,8 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::machine_points_test {
@@ -48,7 +47,7 @@ class MachinePoints : public Apps {
         std::vector<std::pair<std::string, json>> moves;
         std::istringstream lines(read("m.jsonl"));
         for (std::string line; std::getline(lines, line);) {
-            const json move = json::parse(line);
+            const json move = text::parse_json<json>(line);
             moves.emplace_back(move["kind"], move["to"]);
         }
         return moves;

@@ -1,8 +1,8 @@
 // gsim-run --check-machine, --envelope.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::machine_studies_test {
@@ -18,7 +18,7 @@ class MachineStudies : public Apps {
 TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {
     const Ended e = gsim_run({"--check-machine", sample("machines/arm6.toml"), "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const auto json = nlohmann::json::parse(e.out);
+    const auto json = text::parse_json<nlohmann::json>(e.out);
     EXPECT_EQ(json["machine"], "6-joint arm, PUMA 560");
     EXPECT_EQ(json["pairs"].size(), 15U);
     EXPECT_EQ(gsim_run({"--check-machine", sample("machines/arm6.toml"), "--quiet"}).out, "");

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
 
@@ -33,13 +33,13 @@ TEST_F(Outputs, Moves) {
     ASSERT_EQ(moves.size(), 4U);
     double end_s = 0;
     for (std::size_t i = 0; i < moves.size(); ++i) {
-        const json move = json::parse(moves[i]);
+        const json move = text::parse_json<json>(moves[i]);
         EXPECT_EQ(move["n"], i + 1);
         EXPECT_EQ(move["file"], "part.nc");
         EXPECT_NEAR(move["start_s"].get<double>(), end_s, 1e-9);
         end_s = move["end_s"];
     }
-    const json arc = json::parse(moves[2]);
+    const json arc = text::parse_json<json>(moves[2]);
     EXPECT_EQ(arc["kind"], "arc_ccw");
     EXPECT_EQ(arc["line"], 4);
     EXPECT_EQ(arc["plane"], "xy");
@@ -47,10 +47,10 @@ TEST_F(Outputs, Moves) {
     EXPECT_EQ(arc["feed"], 3000);
     EXPECT_NEAR(arc["center"]["X"].get<double>(), 100, 1e-9);
     EXPECT_NEAR(arc["to"]["Y"].get<double>(), 110, 1e-9);
-    EXPECT_TRUE(json::parse(moves[0])["feed"].is_null());
-    EXPECT_EQ(json::parse(moves[1])["limited_by"], "feed");
-    EXPECT_EQ(json::parse(moves[3])["kind"], "dwell");
-    EXPECT_TRUE(json::parse(moves[3])["limited_by"].is_null());
+    EXPECT_TRUE(text::parse_json<json>(moves[0])["feed"].is_null());
+    EXPECT_EQ(text::parse_json<json>(moves[1])["limited_by"], "feed");
+    EXPECT_EQ(text::parse_json<json>(moves[3])["kind"], "dwell");
+    EXPECT_TRUE(text::parse_json<json>(moves[3])["limited_by"].is_null());
 }
 
 // The run would end at an alarm in line 1: it does not begin.
@@ -106,7 +106,7 @@ TEST_F(Outputs, GoToStandardOutput) {
         EXPECT_EQ(ended.out, read("file"));
     }
     const Ended report = gsim_run({part_, "--quiet", "--report", "-"});
-    EXPECT_EQ(json::parse(report.out)["status"], "completed");
+    EXPECT_EQ(text::parse_json<json>(report.out)["status"], "completed");
     EXPECT_FALSE(exists("-"));
 }
 
@@ -137,15 +137,15 @@ TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
                         "moves.jsonl", "--report", "report.json"})
                   .status,
               0);
-    const json report = json::parse(read("report.json"));
+    const json report = text::parse_json<json>(read("report.json"));
     EXPECT_EQ(report["blends"]["count"], 4);
     EXPECT_NEAR(report["blends"]["max_deviation_mm"].get<double>(), 0.05, 1e-9);
     const std::vector<std::string> moves = lines("moves.jsonl");
     ASSERT_EQ(moves.size(), 5U);
-    EXPECT_FALSE(json::parse(moves[0]).contains("deviation_mm"));
-    const json second = json::parse(moves[1]);
+    EXPECT_FALSE(text::parse_json<json>(moves[0]).contains("deviation_mm"));
+    const json second = text::parse_json<json>(moves[1]);
     const double deviation_mm = second["deviation_mm"];
-    const json corner = json::parse(moves[0])["to"];
+    const json corner = text::parse_json<json>(moves[0])["to"];
     EXPECT_NEAR(std::hypot(corner["X"].get<double>() - 20, corner["Y"].get<double>()), deviation_mm, 1e-8);
     EXPECT_GT(report["time"]["dwell_s"], 0.05) << "the last stop is exact and waits for the axes";
 }
@@ -168,12 +168,12 @@ TEST_F(Outputs, Trajectory) {
 TEST_F(Outputs, ReportIsTheJsonOfStandardOutput) {
     const Ended e = gsim_run({part_, "--json", "--report", "report.json"});
     EXPECT_EQ(e.status, 0);
-    EXPECT_EQ(json::parse(read("report.json")), json::parse(e.out));
+    EXPECT_EQ(text::parse_json<json>(read("report.json")), text::parse_json<json>(e.out));
 }
 
 TEST_F(Outputs, AReportFileIsExplainedToo) {
     EXPECT_EQ(gsim_run({part_, "--quiet", "--explain", "--report", "report.json"}).status, 0);
-    EXPECT_TRUE(json::parse(read("report.json")).contains("lower_bound_s"));
+    EXPECT_TRUE(text::parse_json<json>(read("report.json")).contains("lower_bound_s"));
 }
 
 TEST_F(Outputs, Plot) {
@@ -194,7 +194,7 @@ TEST_F(Outputs, AreWrittenUpToAnAlarm) {
             .status,
         1);
     EXPECT_EQ(lines("moves.jsonl").size(), 1U);
-    EXPECT_EQ(json::parse(read("report.json"))["status"], "alarm");
+    EXPECT_EQ(text::parse_json<json>(read("report.json"))["status"], "alarm");
 }
 
 TEST_F(Outputs, OldFilesStayWhereNothingRan) {

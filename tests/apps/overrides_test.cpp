@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::overrides_test {
@@ -27,7 +26,7 @@ class OverrideOption : public Apps {
         more.emplace_back("--json");
         const Ended e = run(machine, more);
         EXPECT_EQ(e.status, 0) << e.err;
-        const json report = json::parse(e.out, nullptr, false);
+        const json report = text::try_parse_json<json>(e.out);
         return report.is_discarded() ? 0 : report["cycle_time_s"].get<double>();
     }
     void refused(const std::string& machine, const std::vector<std::string>& more, const std::string& text) {
@@ -49,11 +48,11 @@ TEST_F(OverrideOption, AFeedTakesTheTimeOfTheRamps) {
 }
 
 TEST_F(OverrideOption, OfNothingTheReportSaysNothing) {
-    const json plain = json::parse(run("router3", {"--json"}).out);
+    const json plain = text::parse_json<json>(run("router3", {"--json"}).out);
     EXPECT_FALSE(plain.contains("overrides"));
-    const json turned = json::parse(run("router3", {"--json", "--feed-override", "55"}).out);
+    const json turned = text::parse_json<json>(run("router3", {"--json", "--feed-override", "55"}).out);
     const json wanted =
-        json::parse(R"({"changes": [{"at_s": 0.0, "feed_percent": 55.0, "rapid_percent": 100.0,
+        text::parse_json<json>(R"({"changes": [{"at_s": 0.0, "feed_percent": 55.0, "rapid_percent": 100.0,
         "spindle_percent": 100.0}], "feed_locked_s": 0.0, "rapid_locked_s": 0.0, "spindle_locked_s": 0.0})");
     EXPECT_EQ(turned["overrides"], wanted);
     EXPECT_TRUE(holds(run("router3", {"--feed-override", "55"}).out,
@@ -123,7 +122,7 @@ TEST_F(OverrideOption, EachRobotObeys) {
         all.insert(all.end(), more.begin(), more.end());
         const Ended e = gsim_run(all);
         EXPECT_EQ(e.status, 0) << e.err << e.out;
-        const json report = json::parse(e.out, nullptr, false);
+        const json report = text::try_parse_json<json>(e.out);
         return report.is_discarded() ? 0.0 : report["cycle_time_s"].get<double>();
     };
     EXPECT_NEAR(time_s({"--feed-override", "50"}), 20 + 5 / 490.33, 1e-6);

@@ -1,8 +1,8 @@
 // The machine's own bodies ([[shape]] of its file) are looked at in each run, with a cell or without one.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
 
@@ -34,7 +34,7 @@ class OwnBodies : public Apps {
         all.emplace_back("--json");
         const Ended e = gsim_run(all);
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
     const std::string part_ = write("part.nc", "G1 X100 F6000\nG1 Z-80\nG1 Z0\nM2\n");
 };

@@ -7,8 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 
@@ -106,7 +105,7 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
     const auto end_of = [this](const std::string& program, const std::string& dialect) {
         const Ended ran = gsim_run({"--dialect", dialect, "--quiet", "--report", "r.json", program});
         EXPECT_EQ(ran.status, 0) << ran.err;
-        return nlohmann::json::parse(read("r.json"))["cycle_time_s"].get<double>();
+        return text::parse_json<nlohmann::json>(read("r.json"))["cycle_time_s"].get<double>();
     };
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         ASSERT_EQ(path2gcode({"--dialect", dialect, "-o", "whole.nc", kWheel}).status, 0);
@@ -172,7 +171,7 @@ TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
     std::istringstream lines(read("m.jsonl"));
     std::vector<double> seconds;
     for (std::string line; std::getline(lines, line);) {
-        const auto move = nlohmann::json::parse(line);
+        const auto move = text::parse_json<nlohmann::json>(line);
         seconds.push_back(move["end_s"].get<double>() - move["start_s"].get<double>());
     }
     ASSERT_EQ(seconds.size(), 4U);

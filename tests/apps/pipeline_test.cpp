@@ -2,8 +2,7 @@
 
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::pipeline_test {
@@ -14,7 +13,7 @@ using nlohmann::json;
 class Pipeline : public Apps {
   protected:
     json parsed(const Ended& e) {
-        json r = json::parse(e.out, nullptr, false);
+        json r = text::try_parse_json<json>(e.out);
         EXPECT_FALSE(r.is_discarded()) << e.out << e.err;
         if (r.is_object()) r.erase("program");
         return r;
@@ -30,7 +29,7 @@ TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
     EXPECT_EQ(at_once["status"], "completed");
     EXPECT_EQ(parsed(gsim_run({"-", "--json"}, lua.out)), at_once);
     std::string of_file = gsim_run({write("wheel.lua", lua.out), "--json"}).out;
-    ASSERT_EQ(json::parse(of_file)["program"], "wheel.lua: wheel.nc");
+    ASSERT_EQ(text::parse_json<json>(of_file)["program"], "wheel.lua: wheel.nc");
     for (std::size_t at = 0; (at = of_file.find("wheel.lua: ", at)) != std::string::npos;)
         of_file.erase(at, std::string("wheel.lua: ").size());
     EXPECT_EQ(parsed({.status = 0, .out = of_file, .err = {}}), at_once);

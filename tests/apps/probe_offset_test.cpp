@@ -3,8 +3,7 @@
 #include <fstream>
 #include <regex>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::probe_offset_test {
@@ -76,7 +75,7 @@ class ProbeOffset : public Apps {
         json found;
         std::istringstream lines(read("m.jsonl"));
         for (std::string line; std::getline(lines, line);) {
-            const json move = json::parse(line);
+            const json move = text::parse_json<json>(line);
             if (move["kind"] == "linear") found = move["to"];
         }
         return found;
@@ -98,7 +97,7 @@ TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
                 const Ended ran =
                     run(program, dialect, {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
                 ASSERT_EQ(ran.status, 0) << ran.err << ran.out << program;
-                const json report = json::parse(ran.out);
+                const json report = text::parse_json<json>(ran.out);
                 EXPECT_TRUE(report["collisions"].empty()) << report["collisions"];
                 const double digit_mm = inch ? 0.00254 : 2e-6;  // that of a contact
                 const std::array<double, 3> wanted{300, 100, -70}, got = frame("s.txt");

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
 
@@ -27,7 +27,7 @@ class Probe : public Apps {
     json report(const std::string& program, const std::vector<std::string>& more, int status = 0) const {
         const Ended e = gsim_run(arguments(program, more));
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out);
+        return text::parse_json<json>(e.out);
     }
     static std::string debugs(const json& report) {
         std::string texts;
@@ -120,7 +120,7 @@ DEBUG("%.4f", v[5061])
 )");
     const Ended e = gsim_run({script, "--cell", cell(true), "--json"});
     ASSERT_EQ(e.status, 0) << e.err << e.out;
-    EXPECT_EQ(debugs(json::parse(e.out)), "295.0000\n");
+    EXPECT_EQ(debugs(text::parse_json<json>(e.out)), "295.0000\n");
 }
 
 TEST_F(Probe, TheOptionSaysWhatItTakes) {
@@ -131,7 +131,7 @@ TEST_F(Probe, TheOptionSaysWhatItTakes) {
     for (const std::string value : {"z", "z=", "z=1mm", "a=1", "all", "z=nan", "z=inf", "=3"}) {
         const Ended e = gsim_run(arguments(program, {"--probe", value}));
         EXPECT_EQ(e.status, 2);
-        EXPECT_EQ(json::parse(e.out)["diagnostics"][0]["text"], takes + value + "'");
+        EXPECT_EQ(text::parse_json<json>(e.out)["diagnostics"][0]["text"], takes + value + "'");
     }
     EXPECT_EQ(report(program, {"--probe", "X=+2.5"})["status"], "completed");
     const Ended arm = gsim_run({write("part.ngc", program), "--machine",

@@ -1,7 +1,6 @@
 // Programs that are called and stand in files of their own beside the main one.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::programs_beside_test {
@@ -13,7 +12,7 @@ class ProgramsBeside : public Apps {
   protected:
     json report(const std::string& name) {
         const Ended e = gsim_run({name, "--json"});
-        json r = json::parse(e.out, nullptr, false);
+        json r = text::try_parse_json<json>(e.out);
         EXPECT_FALSE(r.is_discarded()) << e.err;
         return r;
     }
@@ -68,7 +67,7 @@ TEST_F(ProgramsBeside, OneCallsTheNext) {
 
 TEST_F(ProgramsBeside, AlarmsNameTheirFile) {
     write("O0002.nc", "O2\n\nG0 X-1\nM99\n");
-    const json r = json::parse(gsim_run({main_, "--json", "--stop-at-first"}).out);
+    const json r = text::parse_json<json>(gsim_run({main_, "--json", "--stop-at-first"}).out);
     EXPECT_EQ(r["alarm"]["line"], 3);
     EXPECT_TRUE(holds(r["alarm"]["file"], "O0002.nc"));
     EXPECT_TRUE(holds(report(main_)["violations"][0]["file"], "O0002.nc"));
@@ -78,7 +77,7 @@ TEST_F(ProgramsBeside, ThoseWithErrorsAreAlarmsOfTheCall) {
     write("O0002.nc", "O2\nG999\nM99\n");
     const Ended e = gsim_run({main_, "--json"});
     EXPECT_EQ(e.status, 1);
-    const json r = json::parse(e.out);
+    const json r = text::parse_json<json>(e.out);
     EXPECT_EQ(r["alarm"]["line"], 2);
     EXPECT_TRUE(holds(r["alarm"]["message"], "cannot be translated")) << r["alarm"];
     EXPECT_EQ(r["diagnostics"][1]["line"], 2) << r;

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
 
@@ -51,7 +51,7 @@ class Rapids : public Apps {
                           "--json", write("part.nc", kProgram)});
         const Ended e = gsim_run(arguments);
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
 };
 

@@ -1,7 +1,6 @@
 // gsim-run --robots: one robot against another.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/two_slides.h"
 
 namespace gsim::apps::robots_meet_test {
@@ -13,7 +12,7 @@ using nlohmann::json;
 TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
     const Ended e = meet(0);
     EXPECT_EQ(e.status, 1) << e.err;
-    const json robots = json::parse(e.out)["robots"];
+    const json robots = text::parse_json<json>(e.out)["robots"];
     const double t_s = (700 - 40 + 100 * 0.1 + 50 * (1 + 0.05)) / (100 + 50);
     const double left_mm = 100 * (t_s - 0.1) + 20;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -44,7 +43,7 @@ TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
     write("same.lua", "process('l', function() local _ENV = robot 'left' G0{x=100} end)\n");
     const Ended e = gsim_run({"--robots", "same.toml", "same.lua", "--json"});
     EXPECT_EQ(e.status, 0) << e.err;
-    EXPECT_EQ(json::parse(e.out)["warnings"],
+    EXPECT_EQ(text::parse_json<json>(e.out)["warnings"],
               json::array({"robots 'left' and 'right' stand in the same place (base): not looked at against "
                            "each other; give each a base"}));
 }
@@ -60,7 +59,7 @@ TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
           "process('r', function() local _ENV = robot 'right' G0{x=200} wait(1) G0{x=100} end)\n");
     const Ended e = gsim_run({"--robots", "two.toml", "far.lua", "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json robots = json::parse(e.out)["robots"];
+    const json robots = text::parse_json<json>(e.out)["robots"];
     ASSERT_EQ(robots[0]["collisions"].size(), 1U);
     ASSERT_EQ(robots[1]["collisions"].size(), 1U);
     EXPECT_EQ(robots[0]["collisions"][0]["line"], 40'002);
@@ -77,7 +76,7 @@ TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
           "process('r', function() local _ENV = robot 'right' F(3000)\nG1{x=500}\nG1{x=0}\nend)\n");
     const Ended e = gsim_run({"--robots", "two.toml", "ended.lua", "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json robots = json::parse(e.out)["robots"];
+    const json robots = text::parse_json<json>(e.out)["robots"];
     for (std::size_t robot : {0, 1}) {
         ASSERT_EQ(robots[robot]["collisions"].size(), 1U) << e.out;
         EXPECT_NEAR(robots[robot]["collisions"][0]["t_s"].get<double>(), (700 - 200 - 40) / 50.0 + 0.05,
@@ -103,7 +102,7 @@ TEST_F(TwoSlides, AreLookedAtBesideAConveyor) {
         "process('r', function() local _ENV = robot 'right' G0{x=100} for i = 1, 20 do wait(0.7) end end)\n");
     const Ended e = gsim_run({"--robots", "belt.toml", "belt.lua", "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json robots = json::parse(e.out)["robots"];
+    const json robots = text::parse_json<json>(e.out)["robots"];
     for (std::size_t robot : {0, 1}) {
         ASSERT_EQ(robots[robot]["collisions"].size(), 1U) << e.out;
         EXPECT_NEAR(robots[robot]["collisions"][0]["t_s"].get<double>(), (600 - 40) / 50.0 + 0.05, 1e-7);

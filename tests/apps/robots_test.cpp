@@ -1,8 +1,8 @@
 // Several robots in one run: the sample cell, files of their own, and what is refused.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
 
@@ -25,7 +25,7 @@ class Robots : public Apps {
               "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\ndialect = \"rs274ngc\"\n"
               "[[conveyor]]\nname = \"belt\"\ndirection = { y = 1.0 }\nspeed_mm_s = 50.0\n");
         const Ended e = gsim_run({"--robots", "r.toml", write("cell.lua", script), "--json"});
-        json report = json::parse(e.out, nullptr, false);
+        json report = text::try_parse_json<json>(e.out);
         EXPECT_FALSE(report.is_discarded()) << e.err;
         return report;
     }
@@ -42,7 +42,7 @@ TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
     EXPECT_EQ(read("m.left.jsonl"), left);
     EXPECT_EQ(read("t.right.csv"), right);
     EXPECT_FALSE(exists("m.jsonl"));
-    const json report = json::parse(first.out);
+    const json report = text::parse_json<json>(first.out);
     EXPECT_EQ(report["robots"].size(), 2U);
     EXPECT_EQ(report["robots"][1]["name"], "right");
     EXPECT_GT(report["robots"][1]["idle_s"], 10);
@@ -58,7 +58,7 @@ TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
     const Ended ended = gsim_run({"--robots", "two.toml", "two.lua", "--record", "p.json", "--quiet"});
     EXPECT_EQ(ended.status, 0) << ended.err;
     for (const auto& [robot, position] : {std::pair("left", "[10,0,0]"), {"right", "[0,20,0]"}}) {
-        const json path = json::parse(read(fmt::format("p.{}.json", robot).c_str()), nullptr, false);
+        const json path = text::try_parse_json<json>(read(fmt::format("p.{}.json", robot).c_str()));
         ASSERT_FALSE(path.is_discarded()) << robot;
         EXPECT_TRUE(holds(path.dump(), position)) << path.dump(2);
     }
@@ -124,7 +124,7 @@ shape = { sphere_mm = 10.0 }
                                      "device('slow', function() wait(2) conveyor('belt').speed(25) end)\n");
     const Ended e = gsim_run({"--robots", "belt.toml", script, "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json robots = json::parse(e.out)["robots"];
+    const json robots = text::parse_json<json>(e.out)["robots"];
     ASSERT_EQ(robots[0]["collisions"].size(), 1U);
     EXPECT_NEAR(robots[0]["collisions"][0]["t_s"].get<double>(), 2 + (500 - 5.05 - 100) / 25, 1e-6);
     EXPECT_EQ(robots[0]["collisions"][0]["line"], 3);
@@ -135,7 +135,7 @@ shape = { sphere_mm = 10.0 }
 TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
     const Ended e = gsim_run({"--robots", kSample + "slides.toml", kSample + "slides.lua", "--json"});
     ASSERT_EQ(e.status, 0) << e.err;
-    const json report = json::parse(e.out);
+    const json report = text::parse_json<json>(e.out);
     const double rapid_s = 250 / 150.0 + 150 / 500.0;
     const double work_s = 2 * (100 / 100.0 + 100 / 500.0) + 0.5;
     // The right one waits while the left one works for the first time; later they are at it by turns.

@@ -1,7 +1,6 @@
 // gsim-run --robots: zones in which one robot may be at a time.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/two_slides.h"
 
 namespace gsim::apps::shared_zones_test {
@@ -27,7 +26,7 @@ class SharedZones : public TwoSlides {
                                "end)\n");
         const Ended e = gsim_run({"--robots", "zones.toml", "zones.lua", "--json"});
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out);
+        return text::parse_json<json>(e.out);
     }
 };
 
@@ -96,7 +95,7 @@ TEST_F(SharedZones, ARobotGoesWithTheProcessThatMovesIt) {
           "process('c', function() wait(5) local _ENV = robot 'left' F(6000)\nG1{x=331} end)\n");
     const Ended e = gsim_run({"--robots", "zones.toml", "after.lua", "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json hits = json::parse(e.out)["robots"][0]["collisions"];
+    const json hits = text::parse_json<json>(e.out)["robots"][0]["collisions"];
     ASSERT_EQ(hits.size(), 1U) << e.out;
     EXPECT_NEAR(hits[0]["t_s"].get<double>(), 5 + (300 - 20 - 1) / 100.0 + 0.1, 1e-7);
     EXPECT_EQ(hits[0]["pair"], json::array({"ball", "zone fixture of 'a'"}));
@@ -130,7 +129,7 @@ TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
         const Ended e = gsim_run({"--robots", "zones.toml", "kept.lua", "--json"});
         EXPECT_EQ(e.status, 1) << e.err;
         EXPECT_EQ(
-            json::parse(e.out)["robots"][0]["alarm"]["message"],
+            text::parse_json<json>(e.out)["robots"][0]["alarm"]["message"],
             "dead-lock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' has, though it has ended")
             << e.out;
     }

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::stops_test {
@@ -122,7 +122,7 @@ class Stops : public Apps {
         const Ended ran = gsim_run({program, "--dialect", dialect, "--machine", machine, "--machine-data",
                                     "data.txt", "--quiet", "--report", "report.json"});
         EXPECT_EQ(ran.status, 0) << ran.err;
-        return json::parse(read("report.json"))["cycle_time_s"].get<double>();
+        return text::parse_json<json>(read("report.json"))["cycle_time_s"].get<double>();
     }
     std::string machine_of(const std::string& model) const {
         std::string text = read(GSIM_SOURCE "/samples/machines/linuxcnc-router.toml");

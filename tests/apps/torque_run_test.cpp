@@ -5,8 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::torque_run_test {
@@ -95,7 +94,7 @@ TEST_F(TorqueRun, NoMotorIsAskedForMoreThanItsPeakUnderTheTip) {
             if (turned) words.insert(words.end(), {"--overrides", "turns.toml"});
             const Ended ended = gsim_run(words);
             ASSERT_EQ(ended.status, 0) << ended.err;
-            const json report = json::parse(ended.out);
+            const json report = text::parse_json<json>(ended.out);
             const json& efforts = report.at("efforts");
             EXPECT_TRUE(efforts.at("excesses").empty());
             double nearest = 0;

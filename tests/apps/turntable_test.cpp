@@ -4,8 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::turntable_test {
@@ -55,7 +54,7 @@ TEST_F(Turntable, EachQuarterTakesWhatGeometrySays) {
     std::istringstream moves(read("moves.jsonl"));
     int quarters = 0;
     for (std::string line; std::getline(moves, line);) {
-        const json move = json::parse(line);
+        const json move = text::parse_json<json>(line);
         if (move["kind"] != "arc_ccw") continue;
         ++quarters;
         EXPECT_NEAR(move["end_s"].get<double>() - move["start_s"].get<double>(), kQuarter_s, 1e-8);

@@ -1,7 +1,6 @@
 // Limits, zones and the process from the outside: exit statuses, remedies, gsim check.
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::violations_test {
@@ -18,7 +17,7 @@ class Violations : public Apps {
         arguments.push_back("--json");
         const Ended e = gsim_run(arguments);
         EXPECT_EQ(e.status, status) << e.err << e.out;
-        return json::parse(e.out, nullptr, false);
+        return text::try_parse_json<json>(e.out);
     }
     Ended check(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "check");
@@ -38,7 +37,7 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(first["amount"], 12.5);
     EXPECT_EQ(first["offset"], "G54");
     EXPECT_EQ(r["valid_until_s"], first["t_s"]);
-    EXPECT_EQ(r["remedy"], json::parse(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
+    EXPECT_EQ(r["remedy"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
     EXPECT_TRUE(holds(gsim_run({"--machine", kRouter, "off.nc"}).out,
                       "G54 X +12.5 mm would bring the whole program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
@@ -51,7 +50,8 @@ TEST_F(Violations, TheRemedyIsTrue) {
                 write("inch.nc", "G20 M3 S9\nG0 X0.1\nG1 X-1 F40\nM2\n")},
                1);
     // G54 X is 0.1 inch in the variables: X-1 is -22.86 mm.
-    EXPECT_EQ(moved["remedy"], json::parse(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
+    EXPECT_EQ(moved["remedy"],
+              text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
     write("data.txt", "NCFILE\nOFFSET\n54 12.5 0 0\nENDFILE\n");
     const Ended again = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
     EXPECT_EQ(again.status, 0) << again.out;
@@ -96,7 +96,7 @@ TEST_F(Violations, RobotsAreTold) {
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine = \"" + kRouter + "\"\n");
     const Ended e = gsim_run({"--robots", "robots.toml", write("p.lua", "G0{x=-5} G0{x=10}"), "--json"});
     EXPECT_EQ(e.status, 1) << e.err;
-    const json r = json::parse(e.out, nullptr, false);
+    const json r = text::try_parse_json<json>(e.out);
     EXPECT_EQ(r["status"], "violations");
     EXPECT_EQ(r["violation_count"], 1);
     EXPECT_EQ(r["robots"][0]["violations"][0]["amount"], 5);

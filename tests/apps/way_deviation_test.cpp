@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::way_deviation_test {
@@ -81,7 +81,7 @@ class WayDeviation : public Apps {
             gsim_run({file, "--dialect", "rs274ngc", "--machine", machine_file, "--quiet", "--report",
                       "report.json", "--trajectory", "way.csv", "--step", fmt::format("{}", kStep_s)});
         EXPECT_EQ(ended.status, 0) << ended.err;
-        return {json::parse(read("report.json"))["blends"], points()};
+        return {text::parse_json<json>(read("report.json"))["blends"], points()};
     }
 
     Points points() {

@@ -1,8 +1,7 @@
 // Paths in work frames, with tools: written, run, recorded and written again.
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 
@@ -43,7 +42,7 @@ class WorkFrames : public Apps {
         json moves;
         std::istringstream lines(read("m.jsonl"));
         for (std::string line; std::getline(lines, line);) {
-            const json move = json::parse(line);
+            const json move = text::parse_json<json>(line);
             if (move["kind"] == "dwell") continue;
             moves.push_back({{"kind", move["kind"]}, {"to", move["to"]}});
         }

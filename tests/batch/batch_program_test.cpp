@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/spawn.h"
+#include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
@@ -71,7 +71,8 @@ TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
         auto kept = results->prepare(fmt::format(
             "SELECT json FROM report JOIN run ON run.id = report.run WHERE program LIKE '%p{}.ngc'", i));
         ASSERT_TRUE(kept->step().value_or(false));
-        json of_batch = json::parse(std::string(kept->text(0))), by_itself = json::parse(alone.out);
+        json of_batch = text::parse_json<json>(std::string(kept->text(0))),
+             by_itself = text::parse_json<json>(alone.out);
         for (json* report : {&of_batch, &by_itself}) report->erase("program");
         EXPECT_EQ(of_batch, by_itself);
     }

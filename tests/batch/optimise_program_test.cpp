@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include "base/os/spawn.h"
+#include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
@@ -32,7 +32,7 @@ class OptimiseProgram : public apps::Apps {
     Ended batch(const std::vector<std::string>& words) const {
         return apps::run_program(GSIM_BATCH, words, folder_);
     }
-    json found(const std::string& file = "found.json") const { return json::parse(read(file)); }
+    json found(const std::string& file = "found.json") const { return text::parse_json<json>(read(file)); }
 
     double number(const std::string& query, const std::string& file = "gsim-optimise.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
@@ -156,7 +156,7 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
     const Ended again = apps::run_program(
         GSIM_RUN, {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
     ASSERT_EQ(again.status, 0) << again.err;
-    EXPECT_NEAR(json::parse(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
 }
 
 // On the thesis's gantry: the plate with its clamps and the program are put where the rotary axes' limits
@@ -179,7 +179,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
         GSIM_RUN, {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"},
         folder_);
     ASSERT_EQ(again.status, 0) << again.err;
-    const json report = json::parse(again.out);
+    const json report = text::parse_json<json>(again.out);
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
     EXPECT_TRUE(report["collisions"].empty());
     EXPECT_TRUE(report["clearances"].empty());
@@ -211,7 +211,7 @@ to = 2000
     EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
     const Ended again = apps::run_program(
         GSIM_RUN, {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
-    EXPECT_NEAR(json::parse(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
     // The proof is made, not found.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
     EXPECT_EQ(number("SELECT reused FROM batch_run ORDER BY batch DESC LIMIT 1"), 0);

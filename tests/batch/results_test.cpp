@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "base/text/json.h"
 #include "batch/store/outputs.h"
 #include "batch/store/schema.h"
 
@@ -174,7 +175,7 @@ TEST_F(ResultsFile, ComesOutInOtherForms) {
         junit,
         HasSubstr(
             "<failure type=\"feed\" message=\"it says &quot;no&quot;, &lt;twice&gt;\">a.nc:3</failure>"));
-    const auto sarif = nlohmann::json::parse(text_of(file_, write_sarif));
+    const auto sarif = text::parse_json<nlohmann::json>(text_of(file_, write_sarif));
     EXPECT_EQ(sarif["runs"][0]["results"].size(), 1U) << "the same finding of two runs is one";
     const std::string csv = text_of(file_, [](Database& from, const Sink& sink) {
         return write_csv(from, "SELECT message, cycle_time_s FROM latest", sink);
@@ -184,7 +185,7 @@ TEST_F(ResultsFile, ComesOutInOtherForms) {
               "<twice>\",0.30000000000000004\r\n");
     const std::string lines = text_of(
         file_, [](Database& from, const Sink& sink) { return write_json_lines(from, kWholeRuns, sink); });
-    const auto first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
+    const auto first = text::parse_json<nlohmann::json>(lines.substr(0, lines.find('\n')));
     EXPECT_EQ(first["settings"]["machine.axis.X.max_mm"], 250.5);
     EXPECT_EQ(first["cycle_time_s"], 0.1 + 0.2);
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "base/text/json.h"
 #include "batch/plan/plan.h"
 #include "batch/statistics/regression.h"
 #include "batch/statistics/sample.h"
@@ -196,7 +197,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     EXPECT_NEAR(comparisons->front().difference_s.mean, 0.010, 0.0005);
     EXPECT_FALSE(compare_batches(*database, 0)) << "there is none before";
     EXPECT_THAT(to_html(*studies, *comparisons), HasSubstr("<svg"));
-    const auto read = nlohmann::json::parse(to_json(*studies, *comparisons));
+    const auto read = text::parse_json<nlohmann::json>(to_json(*studies, *comparisons));
     EXPECT_EQ(read["studies"][0]["cycle_time_s"]["count"], 79);
 }
 

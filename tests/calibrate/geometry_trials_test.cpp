@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/text/format.h"
 #include "calibrate/geometry/geometry_fit.h"
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
@@ -65,7 +66,7 @@ std::map<std::string, machine::Machine> sample_geometries() {
         same.push_back(name);
         if (same.size() == 1) geometries[name] = machine;
     }
-    for (const auto& [geometry, same] : names) fmt::print("one geometry: {}\n", fmt::join(same, ", "));
+    for (const auto& [geometry, same] : names) fmt::print("one geometry: {}\n", text::joined(same, ", "));
     return geometries;
 }
 

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/machine/machine_file.h"
 
@@ -119,7 +119,7 @@ TEST(MachineCheck, TellsItAsTextAndAsJson) {
     EXPECT_THAT(text, HasSubstr("machine    3-axis router"));
     EXPECT_THAT(text, HasSubstr("ball and post"));
     EXPECT_THAT(text, HasSubstr("found: 1 pairs can touch"));
-    const auto json = nlohmann::json::parse(to_json(check));
+    const auto json = text::parse_json<nlohmann::json>(to_json(check));
     EXPECT_EQ(json["clean"], false);
     EXPECT_EQ(json["axes"].size(), 3U);
     EXPECT_EQ(json["pairs"][0]["verdict"], "touch");
@@ -133,8 +133,8 @@ TEST(MachineCheck, TellsGroupsOfAxes) {
     machine.ignored.clear();
     const MachineCheck check = check_of(machine);
     EXPECT_THAT(to_text(check), HasSubstr("group      turntable: Z (work), coordinated\n"));
-    const auto groups = nlohmann::json::parse(to_json(check))["groups"];
-    EXPECT_EQ(groups, nlohmann::json::parse(R"([
+    const auto groups = text::parse_json<nlohmann::json>(to_json(check))["groups"];
+    EXPECT_EQ(groups, text::parse_json<nlohmann::json>(R"([
         {"name": "track", "axes": ["X"], "carries": "tool", "motion": "coordinated"},
         {"name": "turntable", "axes": ["Z"], "carries": "work", "motion": "coordinated"}])"));
 }

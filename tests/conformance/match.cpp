@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "base/text/format.h"
 
 namespace gsim::conformance {
 
@@ -68,8 +69,8 @@ Mismatch plane_mismatch(const Move& wanted, const Move& found) {
         if (same_kind) return "sense: the arc goes the other way round";
         return fmt::format("kind: {}, {} is expected", name(found.kind), name(wanted.kind));
     }
-    return fmt::format("plane: its normal is {:.6f}, {:.6f} is expected", fmt::join(found.arc->normal, " "),
-                       fmt::join(normal, " "));
+    return fmt::format("plane: its normal is {}, {} is expected",
+                       text::joined(found.arc->normal, " ", "{:.6f}"), text::joined(normal, " ", "{:.6f}"));
 }
 
 // Along the arc's own axis a centre means nothing.

@@ -1,10 +1,8 @@
 #include "tests/conformance/move.h"
 
 #include <algorithm>
-#include <iterator>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "base/text/format.h"
 
 namespace gsim::conformance {
 
@@ -34,23 +32,23 @@ std::optional<Kind> kind_of(std::string_view name) {
 
 std::string describe(const Move& move) {
     std::string text(name(move.kind));
-    const auto out = std::back_inserter(text);
     if (move.kind == Kind::dwell) {
-        fmt::format_to(out, " {:.4f} s", move.dwell_s);
+        text::append_format(text, " {:.4f} s", move.dwell_s);
         return text;
     }
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const bool always = axis < kLinearAxes;
-        if (always || move.to[axis] != 0) fmt::format_to(out, " {}{:.5f}", kAxes[axis], move.to[axis]);
+        if (always || move.to[axis] != 0) text::append_format(text, " {}{:.5f}", kAxes[axis], move.to[axis]);
     }
     if (move.arc) {
-        fmt::format_to(out, ", normal {:.6f}, centre", fmt::join(move.arc->normal, " "));
+        const auto& normal = move.arc->normal;
+        text::append_format(text, ", normal {:.6f} {:.6f} {:.6f}, centre", normal[0], normal[1], normal[2]);
         for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
-            fmt::format_to(out, " {}{:.5f}", kAxes[axis], move.arc->center_mm[axis]);
+            text::append_format(text, " {}{:.5f}", kAxes[axis], move.arc->center_mm[axis]);
         }
-        fmt::format_to(out, ", turns {}", move.arc->turns);
+        text::append_format(text, ", turns {}", move.arc->turns);
     }
-    if (move.feed_per_min) fmt::format_to(out, ", feed {:.6g}", *move.feed_per_min);
+    if (move.feed_per_min) text::append_format(text, ", feed {:.6g}", *move.feed_per_min);
     return text;
 }
 

@@ -4,7 +4,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "base/text/json.h"
 
 namespace gsim::conformance {
 
@@ -54,7 +55,7 @@ tl::expected<std::vector<Move>, std::string> read_moves(std::istream& text) {
     for (long number = 1; std::getline(text, line); ++number) {
         if (line.empty()) continue;
         try {
-            moves.push_back(read_move(json::parse(line)));
+            moves.push_back(read_move(text::parse_json<json>(line)));
         } catch (const std::exception& error) {  // nlohmann's and our own
             return tl::unexpected(
                 fmt::format("line {} of the moves cannot be understood: {}", number, error.what()));

@@ -11,14 +11,14 @@ namespace gsim::conformance {
 namespace {
 
 constexpr int kLeastBlocks = 12;
-constexpr int kMostBlocks = 45;
+constexpr int kMaxProgramBlocks = 45;
 
 }  // namespace
 
 std::string NgcGenerator::program() {
     definitions();
     setup();
-    const int blocks = random_.between(kLeastBlocks, kMostBlocks);
+    const int blocks = random_.between(kLeastBlocks, kMaxProgramBlocks);
     for (int i = 0; i < blocks; ++i) block();
     line(std::string(random_.one_of({"M2", "M30", "m2 (the end)"})));
     numbered_programs();

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "engine/path_translation.h"
 #include "tests/engine/given.h"
 
@@ -82,7 +82,7 @@ TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
     EXPECT_FALSE(path->is_solid());
     EXPECT_FALSE(path->job());
     EXPECT_EQ(path->job_report(), "");
-    EXPECT_EQ(json::parse(text_of(*path))["name"], "part");
+    EXPECT_EQ(text::parse_json<json>(text_of(*path))["name"], "part");
 }
 
 TEST(DrawingPath, ItsPathGoesOnToAProgram) {

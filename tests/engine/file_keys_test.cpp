@@ -7,8 +7,8 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/toml/toml_edit.h"
 #include "runtime/cell/cell_file.h"
 #include "runtime/machine/controller_file.h"
@@ -162,7 +162,7 @@ class KeyOfDocument {
 template <typename Look>
 void for_each_table(const Look& look) {
     for (const KeyedFile file : kFiles) {
-        const json tables = json::parse(file_keys_json(file));
+        const json tables = text::parse_json<json>(file_keys_json(file));
         for (const json& table : tables) {
             SCOPED_TRACE(table["at"].dump());
             look(file, table);
@@ -327,7 +327,7 @@ TEST(FileKeys, StandInThePagesOfTheirFiles) {
 }
 
 TEST(FileKeys, TellTheUnitsOfTheirNames) {
-    const json tables = json::parse(file_keys_json(KeyedFile::machine));
+    const json tables = text::parse_json<json>(file_keys_json(KeyedFile::machine));
     std::set<std::string> units;
     for (const json& table : tables) {
         for (const json& key : table["keys"]) {

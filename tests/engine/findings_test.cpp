@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "engine/run.h"
 #include "tests/engine/given.h"
 
@@ -48,16 +48,16 @@ TEST(FindingsOfTheEngine, AFailureHasThePlaceThatItsSentenceBeginsWith) {
 
 TEST(FindingsOfTheEngine, AreJson) {
     const std::vector<CheckedProgram> programs = {{"p.nc", "completed", 1.5}};
-    const json document = json::parse(findings_json({&kWord, 1}, programs));
+    const json document = text::parse_json<json>(findings_json({&kWord, 1}, programs));
     EXPECT_EQ(document["programs"][0],
               (json{{"program", "p.nc"}, {"status", "completed"}, {"cycle_time_s", 1.5}}));
     EXPECT_EQ(document["diagnostics"][0]["code"], "syntax");
     EXPECT_EQ(document["diagnostics"][0]["hint"], "leave it out");
-    EXPECT_FALSE(json::parse(findings_json({&kWord, 1})).contains("programs"));
+    EXPECT_FALSE(text::parse_json<json>(findings_json({&kWord, 1})).contains("programs"));
 }
 
 TEST(FindingsOfTheEngine, AreSarif) {
-    const json run = json::parse(findings_sarif({&kWord, 1}))["runs"][0];
+    const json run = text::parse_json<json>(findings_sarif({&kWord, 1}))["runs"][0];
     EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 1U);
     EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "syntax");
     const json& result = run["results"][0];

@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "runtime/machine/machine_data_sections.h"
 #include "tests/engine/given.h"
 
@@ -47,8 +47,8 @@ TEST(MachineDataValues, AreListedInColumnsAndAsJson) {
     const MachineData data = data_of();
     EXPECT_EQ(data.list(Form::text, "offset"),
               "OFFSET\n  ID  X        Y  Z  UNIT\n  54  200.000  1  2  metric\n  55  1        2  3  inch\n");
-    const json all = json::parse(data.list(Form::json).value());
-    EXPECT_EQ(all["TOOL"], json::parse(data.list(Form::json, "TOOL").value()));
+    const json all = text::parse_json<json>(data.list(Form::json).value());
+    EXPECT_EQ(all["TOOL"], text::parse_json<json>(data.list(Form::json, "TOOL").value()));
     EXPECT_EQ(all["ALIAS"][0]["CODE"], "M08");
     EXPECT_EQ(data.list(Form::json, "HOME"), "[]\n");
 }
@@ -210,7 +210,7 @@ TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
 TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
     const MachineData data = data_of("NCFILE\nALIAS\nJet\xff M08\nENDFILE\n");
     EXPECT_EQ(refusal(data.to_json()), "d.txt: JSON is UTF-8, and a word in this file is not");
-    EXPECT_EQ(json::parse(data.list(Form::json).value())["ALIAS"][0]["id"], "Jet\uFFFD");
+    EXPECT_EQ(text::parse_json<json>(data.list(Form::json).value())["ALIAS"][0]["id"], "Jet\uFFFD");
 }
 
 TEST(MachineDataValues, AMachineNamesAxesAndHasRanges) {

@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::run_test {
@@ -45,7 +45,8 @@ TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
     EXPECT_NEAR(report.rapid_mm, std::hypot(100, 100), 1e-9);
     EXPECT_NEAR(report.feed_mm, 200 + std::acos(-1.0) * std::hypot(50, 50), 1e-6);
     EXPECT_NEAR(report.dwell_s, 1, 1e-9);
-    EXPECT_NEAR(json::parse(report.json())["cycle_time_s"].get<double>(), report.cycle_time_s, 1e-9);
+    EXPECT_NEAR(text::parse_json<json>(report.json())["cycle_time_s"].get<double>(), report.cycle_time_s,
+                1e-9);
     EXPECT_THAT(report.text(), HasSubstr("completed"));
 }
 
@@ -100,7 +101,7 @@ TEST(Run, ErrorsOfAProgramAreToldAndInItsReport) {
     EXPECT_EQ(told[1].file, "part.nc");
     const Report report = run->report_of(refused.error());
     EXPECT_EQ(report.status, RunStatus::alarm);
-    EXPECT_EQ(json::parse(report.json())["diagnostics"].size(), 2U);
+    EXPECT_EQ(text::parse_json<json>(report.json())["diagnostics"].size(), 2U);
 }
 
 TEST(Run, MovesComeInChunksInTheOrderOfTime) {

@@ -3,8 +3,8 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "studio/engine/session.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
@@ -73,7 +73,7 @@ class Messages {
             return "a message has another size than it says";
         const std::size_t size = number_at(bytes, 4);
         if (8 + size > bytes.size()) return "a header goes past its message";
-        const auto header = nlohmann::json::parse(bytes.substr(8, size), nullptr, false);
+        const auto header = text::try_parse_json<nlohmann::json>(bytes.substr(8, size));
         if (!header.is_object() || !header.contains("is")) return "a header is no object with a name";
         static const std::map<std::string, std::size_t> kSizes{{"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
         std::size_t at = aligned(8 + size);

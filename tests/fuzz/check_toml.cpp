@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "base/toml/toml_edit.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"

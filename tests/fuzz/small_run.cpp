@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "engine/inner/word_table.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/cell_watch.h"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "tests/lua_lib/ngc_run.h"
 #include "tests/lua_lib/roundtrip_generator.h"
 #include "tests/lua_lib/roundtrip_interpreter.h"
@@ -75,7 +76,7 @@ std::vector<std::size_t> real_moves(const script::Outcome& run) {
 }
 
 std::string shown(const Point& point) {
-    return fmt::format("{:.6f}", fmt::join(point.begin(), point.end(), " "));
+    return text::joined(point, " ", "{:.6f}");
 }
 
 void expect_arc(const Move& wanted, const simulation::RecordedMove& found) {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/text/format.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::machine::controller_file_test {
@@ -262,7 +262,7 @@ TEST_F(OwnFile, ErrorsSayWhereTheyAre) {
 }
 
 std::string built_in() {
-    return fmt::format("{}", fmt::join(built_in_controllers(), ", "));
+    return text::joined(built_in_controllers(), ", ");
 }
 
 TEST_F(OwnFile, DoesNotNameAnother) {

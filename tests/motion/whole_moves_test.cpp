@@ -79,7 +79,7 @@ TEST_F(WholeMoves, AreMadeAlikeWhateverCameBefore) {
         used.flush();
 
         Kept alone;
-        Planner fresh(gantry_setup(), &alone);
+        motion::Planner fresh(gantry_setup(), &alone);
         ASSERT_TRUE(fresh.stand_at({at, std::nullopt}));
         ASSERT_TRUE(fresh.put(move));
         fresh.flush();

@@ -4,8 +4,8 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/keys.h"
 #include "runtime/path/target_draft.h"
@@ -29,7 +29,7 @@ std::set<std::string> keys_of(const json& object) {
 
 json schema() {
     std::ifstream file(GSIM_SOURCE "/docs/path.schema.json");
-    return json::parse(file);
+    return text::parse_json<json>(file);
 }
 
 TEST(PathSchema, HasTheReadersKeys) {

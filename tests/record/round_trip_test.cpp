@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "runtime/path/json_writer.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
@@ -38,7 +38,7 @@ class Record : public apps::Apps {
         std::istringstream text(read(name));
         std::vector<json> moves;
         for (std::string line; std::getline(text, line);) {
-            json move = json::parse(line);
+            json move = text::parse_json<json>(line);
             const bool is_rest = move["kind"] == "dwell" && move["start_s"] == move["end_s"];
             if (!is_rest) moves.push_back(std::move(move));
         }
@@ -301,7 +301,7 @@ TEST_F(Record, ThreeAxesAlsoForGrbl) {
               "o100 endsub\no100 call [1]\no100 call [2]\no100 call [2]\nM2\n");
     expect_way_round(part, "rs274ngc", {{"grbl", "rs274ngc"}, {"rs274ngc", "rs274ngc"}},
                      GSIM_SAMPLES "/machines/router3.toml");
-    const json program = json::parse(read("first.path.json"));
+    const json program = text::parse_json<json>(read("first.path.json"));
     ASSERT_EQ(program["paths"].size(), 3U) << "two that differ, and the root";
     EXPECT_EQ(program["paths"][2]["targets"].back()["repeats"], 2);
 }
@@ -349,7 +349,7 @@ TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
               "M8\nC80 F1500\nG1 A-20 C-40\nG93 G1 X1100 C20 F30\nG94 G1 X1000 F1000\nM2\n");
     expect_way_round(part, "rs274ngc", {{"rs274ngc", "rs274ngc"}, {"ab9", "ab9"}},
                      GSIM_SAMPLES "/machines/gantry-offset-head.toml");
-    const json program = json::parse(read("first.path.json"));
+    const json program = text::parse_json<json>(read("first.path.json"));
     EXPECT_GT(program["paths"][0]["targets"].size(), 200U);
 }
 
@@ -357,7 +357,8 @@ TEST_F(Record, StandardOutputIsThePathAlone) {
     const std::string part = write("part.nc", "G1 X10 F600\nM2\n");
     const Ended e = gsim_run({part, "--record", "-"});
     EXPECT_EQ(e.status, 0);
-    EXPECT_EQ(json::parse(e.out)["paths"][0]["targets"].size(), 2U) << "where it stands, and the move";
+    EXPECT_EQ(text::parse_json<json>(e.out)["paths"][0]["targets"].size(), 2U)
+        << "where it stands, and the move";
     EXPECT_TRUE(holds(e.err, "part.nc")) << "the report goes to standard error";
     const Ended written = path2gcode({"--dialect", "rs274ngc", "-"}, e.out);
     EXPECT_EQ(written.status, 0) << written.err;
@@ -368,7 +369,7 @@ TEST_F(Record, StandardOutputIsThePathAlone) {
 TEST_F(Record, IsWrittenUpToAnAlarm) {
     const std::string bad = write("bad.nc", "G0 X100\nM98 P2\nM30\n%\nO2\nG0 X200\nX9999\nM99\n");
     EXPECT_EQ(gsim_run({bad, "--quiet", "--stop-at-first", "--record", "bad.path.json"}).status, 1);
-    const json program = json::parse(read("bad.path.json"));
+    const json program = text::parse_json<json>(read("bad.path.json"));
     EXPECT_EQ(program["paths"][0]["name"], "O2");
     EXPECT_EQ(program["paths"][0]["targets"].size(), 1U);
 }
@@ -384,7 +385,7 @@ TEST_F(Record, WithoutAPathThereIsNoFile) {
 
 TEST_F(Record, TheWheelComesBackExactly) {
     expect_way_round(GSIM_SAMPLES "/wheel.nc", "ab9", kAllAxes);
-    EXPECT_EQ(json::parse(read("first.path.json"))["paths"].size(), 4U);
+    EXPECT_EQ(text::parse_json<json>(read("first.path.json"))["paths"].size(), 4U);
 }
 
 }  // namespace

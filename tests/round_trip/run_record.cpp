@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 namespace gsim::round_trip {
 
@@ -34,9 +34,10 @@ MadeMove move_of(const json& line) {
 RunRecord read_run(const std::filesystem::path& moves, const std::filesystem::path& report) {
     RunRecord run;
     std::ifstream lines(moves);
-    for (std::string line; std::getline(lines, line);) run.moves.push_back(move_of(json::parse(line)));
+    for (std::string line; std::getline(lines, line);)
+        run.moves.push_back(move_of(text::parse_json<json>(line)));
     std::ifstream text(report);
-    const json whole = json::parse(text);
+    const json whole = text::parse_json<json>(text);
     run.time_s = whole["cycle_time_s"].get<double>();
     for (const json& event : whole["events"])
         run.events.push_back({event["t_s"].get<double>(), event["kind"].get<std::string>(),

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "tests/simulation/string_stream.h"
 #include "tests/simulation/test_segments.h"
 
@@ -48,21 +48,21 @@ TEST_F(MovesWriterTest, Line) {
 TEST_F(MovesWriterTest, ARoundedCornerHasItsDeviation) {
     RecordedMove recorded = move(MoveKind::linear);
     recorded.deviation_mm = 0.0125;
-    EXPECT_EQ(nlohmann::json::parse(written(recorded))["deviation_mm"], 0.0125);
+    EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["deviation_mm"], 0.0125);
 }
 
 TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
     for (const MoveKind kind : {MoveKind::rapid, MoveKind::dwell}) {
         StringStream other;
         MovesWriter(other.out(), machine, files).take(move(kind));
-        EXPECT_EQ(nlohmann::json::parse(other.text())["feed"], nullptr);
+        EXPECT_EQ(text::parse_json<nlohmann::json>(other.text())["feed"], nullptr);
     }
 }
 
 TEST_F(MovesWriterTest, NothingLimitsADwell) {
     RecordedMove recorded = move(MoveKind::dwell);
     recorded.limited_by.reset();
-    EXPECT_EQ(nlohmann::json::parse(written(recorded))["limited_by"], nullptr);
+    EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["limited_by"], nullptr);
 }
 
 TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
@@ -73,7 +73,7 @@ TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
     const motion::Segment segment = arc(1, 0, 500, 600, 100, 0, 90);
     recorded.arc = segment.arc;
     recorded.position_joints = segment.position_joints;
-    const auto json = nlohmann::json::parse(written(recorded));
+    const auto json = text::parse_json<nlohmann::json>(written(recorded));
     EXPECT_EQ(json["kind"], "arc_cw");
     EXPECT_EQ(json["center"], (nlohmann::json{{"X", 500}, {"Y", 650}, {"Z", 0}}));
     EXPECT_EQ(json["plane"], "zx");
@@ -84,7 +84,7 @@ TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
 TEST_F(MovesWriterTest, AnObliqueArcHasItsNormalAndNoPlane) {
     RecordedMove recorded = move(MoveKind::arc_ccw);
     recorded.info.normal = {-0.6, 0.8, 0};
-    const auto json = nlohmann::json::parse(written(recorded));
+    const auto json = text::parse_json<nlohmann::json>(written(recorded));
     EXPECT_EQ(json["plane"], nullptr);
     EXPECT_EQ(json["normal"], (nlohmann::json{{"X", -0.6}, {"Y", 0.8}, {"Z", 0}}));
 }
@@ -109,13 +109,13 @@ TEST_F(MovesWriterTest, FilesThatAppearLaterAndNamesWithOddCharacters) {
     RecordedMove recorded = move(MoveKind::linear);
     recorded.info.place.file = 1;
     files.push_back("a\"\\\n\xff\xc3\xbc.nc");
-    EXPECT_EQ(nlohmann::json::parse(written(recorded))["file"], "a\"\\\n\ufffd\u00fc.nc");
+    EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["file"], "a\"\\\n\ufffd\u00fc.nc");
 }
 
 TEST_F(MovesWriterTest, UnknownFileIsNull) {
     RecordedMove recorded = move(MoveKind::linear);
     recorded.info.place.file = 7;
-    EXPECT_EQ(nlohmann::json::parse(written(recorded))["file"], nullptr);
+    EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["file"], nullptr);
 }
 
 }  // namespace

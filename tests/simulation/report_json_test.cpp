@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "base/text/json.h"
 #include "runtime/simulation/report.h"
 
 namespace gsim::simulation::report_json_test {
@@ -43,7 +43,7 @@ std::vector<std::string> keys(const ordered_json& json) {
 }
 
 TEST(ReportJson, KeysInTheirOrder) {
-    const auto json = ordered_json::parse(to_json(sample()));
+    const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_THAT(keys(json), ElementsAre("program", "machine", "controller", "status", "alarm", "violations",
                                         "violation_count", "remedy", "cycle_time_s", "valid_until_s", "time",
                                         "process", "length", "blocks", "moves", "blends", "bounds", "events",
@@ -61,10 +61,10 @@ TEST(ReportJson, KeysInTheirOrder) {
 TEST(ReportJson, PassesOfAMainProgramThatLeadsBack) {
     Report report = sample();
     report.passes = Passes{3, {1, 7}, std::nullopt};
-    auto json = ordered_json::parse(to_json(report));
+    auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["passes"].dump(), R"({"count":3,"file":"sub.nc","line":7,"to_block":null})");
     report.passes->to_block = 20;
-    json = ordered_json::parse(to_json(report));
+    json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["passes"]["to_block"], 20);
 }
 
@@ -82,7 +82,7 @@ TEST(ReportJson, ViolationsAndFindings) {
     report.violations.remedy = {{.offset = "G54", .axis = 'X', .shift_mm = 5}};
     report.findings = {.list = {{.t_s = 1, .place = {1, 2}, .message = "a rapid"}}, .count = 1};
     report.process = "laser";
-    const auto json = ordered_json::parse(to_json(report));
+    const auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["status"], "violations");
     EXPECT_EQ(
         json["violations"][0].dump(),
@@ -94,11 +94,11 @@ TEST(ReportJson, ViolationsAndFindings) {
     EXPECT_EQ(json["findings"].dump(),
               R"([{"t_s":1.0,"file":"sub.nc","line":2,"code":"rapid-with-process-on","message":"a rapid"}])");
     EXPECT_EQ(json["process"], "laser");
-    EXPECT_EQ(ordered_json::parse(to_json(sample()))["valid_until_s"], nullptr);
+    EXPECT_EQ(text::parse_json<ordered_json>(to_json(sample()))["valid_until_s"], nullptr);
 }
 
 TEST(ReportJson, Values) {
-    const auto json = ordered_json::parse(to_json(sample()));
+    const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_EQ(json["status"], "completed");
     EXPECT_EQ(json["controller"], "ab9");
     EXPECT_EQ(json["alarm"], nullptr);
@@ -122,30 +122,31 @@ TEST(ReportJson, Values) {
 
 TEST(ReportJson, RoundedCorners) {
     Report report = sample();
-    EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
+    EXPECT_EQ(text::parse_json<ordered_json>(to_json(report))["blends"].dump(),
               R"({"count":0,"max_deviation_mm":0.0,"file":null,"line":null,)"
               R"("feed":{"max_deviation_mm":0.0,"file":null,"line":null},)"
               R"("rapid":{"max_deviation_mm":0.0,"file":null,"line":null}})");
     report.blends = {.count = 7, .feed = {0.05, {0, 9}}, .rapid = {0.75, {0, 4}}};
-    EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
+    EXPECT_EQ(text::parse_json<ordered_json>(to_json(report))["blends"].dump(),
               R"({"count":7,"max_deviation_mm":0.75,"file":"part.nc","line":4,)"
               R"("feed":{"max_deviation_mm":0.05,"file":"part.nc","line":9},)"
               R"("rapid":{"max_deviation_mm":0.75,"file":"part.nc","line":4}})");
     report.blends.measured = false;
-    EXPECT_TRUE(ordered_json::parse(to_json(report))["blends"].is_null())
+    EXPECT_TRUE(text::parse_json<ordered_json>(to_json(report))["blends"].is_null())
         << "nothing is known, so nothing is said";
 }
 
 TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {
     Report report = sample();
-    EXPECT_FALSE(ordered_json::parse(to_json(report)).contains("time_by_limit"));
+    EXPECT_FALSE(text::parse_json<ordered_json>(to_json(report)).contains("time_by_limit"));
     report.explanation = Explanation{{{"feed", 0.25}, {"dwell", 0.05}}, 0.2};
-    const auto json = ordered_json::parse(to_json(report));
+    const auto json = text::parse_json<ordered_json>(to_json(report));
     const std::vector<std::string> all = keys(json);
     EXPECT_EQ(all[all.size() - 2], "time_by_limit");
     EXPECT_EQ(all.back(), "lower_bound_s");
-    EXPECT_EQ(json["time_by_limit"], ordered_json::parse(R"([{"limited_by":"feed","time_s":0.25},)"
-                                                         R"({"limited_by":"dwell","time_s":0.05}])"));
+    EXPECT_EQ(json["time_by_limit"],
+              text::parse_json<ordered_json>(R"([{"limited_by":"feed","time_s":0.25},)"
+                                             R"({"limited_by":"dwell","time_s":0.05}])"));
     EXPECT_EQ(json["lower_bound_s"], 0.2);
 }
 
@@ -154,7 +155,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
     report.status = RunStatus::alarm;
     report.alarm =
         Alarm{.message = "X beyond its limit", .place = {0, 4}, .axis = 'X', .value = 12, .limit = 10};
-    auto json = ordered_json::parse(to_json(report));
+    auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["status"], "alarm");
     EXPECT_EQ(json["alarm"], (ordered_json{{"code", "script"},
                                            {"message", "X beyond its limit"},
@@ -165,7 +166,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
                                            {"limit", 10.0},
                                            {"calls", ordered_json::array()}}));
     report.alarm = Alarm{.message = "no such program", .place = {9, 0}, .value = {}, .limit = {}};
-    json = ordered_json::parse(to_json(report));
+    json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_THAT(keys(json["alarm"]),
                 ElementsAre("code", "message", "file", "line", "axis", "value", "limit", "calls"));
     for (const char* key : {"file", "line", "axis", "value", "limit"}) EXPECT_EQ(json["alarm"][key], nullptr);
@@ -175,7 +176,7 @@ TEST(ReportJson, AnAlarmNamesTheCallsThatAreOpen) {
     Report report = sample();
     report.alarm = Alarm{
         .message = "m", .place = {0, 9}, .calls = {{"O3", {0, 5}}, {"O2", {0, 2}}}, .value = {}, .limit = {}};
-    const auto calls = ordered_json::parse(to_json(report))["alarm"]["calls"];
+    const auto calls = text::parse_json<ordered_json>(to_json(report))["alarm"]["calls"];
     ASSERT_EQ(calls.size(), 2U);
     EXPECT_EQ(calls[0], (ordered_json{{"program", "O3"}, {"file", "part.nc"}, {"line", 5}}));
     EXPECT_EQ(calls[1]["program"], "O2");
@@ -183,7 +184,7 @@ TEST(ReportJson, AnAlarmNamesTheCallsThatAreOpen) {
 }
 
 TEST(ReportJson, EmptyListsStayLists) {
-    const auto json = ordered_json::parse(to_json(Report{}));
+    const auto json = text::parse_json<ordered_json>(to_json(Report{}));
     EXPECT_TRUE(json["events"].is_array());
     EXPECT_TRUE(json["warnings"].is_array());
     EXPECT_TRUE(json["slowest"].is_array());
@@ -195,7 +196,7 @@ TEST(ReportJson, NothingThatJsonCannotHold) {
     report.cycle_time_s = kInf;
     report.rapid_s = std::numeric_limits<double>::quiet_NaN();
     report.program = "\xff.nc";
-    const auto json = ordered_json::parse(to_json(report));
+    const auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["cycle_time_s"], nullptr);
     EXPECT_EQ(json["time"]["rapid_s"], nullptr);
     EXPECT_EQ(json["program"], "\ufffd.nc");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text/format.h"
+
 namespace gsim::simulation::text_stream_test {
 namespace {
 
@@ -9,7 +11,7 @@ TEST(TextStream, WhatFollowsAPieceThatCannotBeWrittenIsDropped) {
     int pieces = 0;
     TextStream stream([&](std::string_view) { return ++pieces < 2; });
     for (int i = 0; i < 100000; ++i) {
-        fmt::format_to(std::back_inserter(stream.buffer()), "line {}", i);
+        text::append_format(stream.buffer(), "line {}", i);
         stream.end_line();
     }
     stream.flush();

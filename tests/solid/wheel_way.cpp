@@ -6,8 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "base/text/json.h"
 #include "base/units.h"
 
 namespace gsim::solid::models {
@@ -83,7 +82,8 @@ double WheelStep::distance_mm(const Pair& place) const {
 }
 
 std::vector<std::vector<WheelStep>> wheel_pockets(const std::filesystem::path& path_file) {
-    const nlohmann::json document = nlohmann::json::parse(std::ifstream(path_file));
+    std::ifstream path_text(path_file);
+    const nlohmann::json document = text::parse_json<nlohmann::json>(path_text);
     std::vector<std::vector<WheelStep>> pockets;
     for (const auto& path : document.at("paths")) {
         if (path.at("name") != "pockets") continue;

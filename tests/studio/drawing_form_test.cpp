@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/text/json.h"
 #include "tests/studio/asked.h"
 
 namespace gsim::studio {
@@ -86,7 +87,7 @@ TEST(DrawingForm, ASquareIsCutHalfAKerfOutside) {
     EXPECT_TRUE(path.header["job"].is_null());
     EXPECT_EQ(path.header["job_text"], "");
     EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("1 contours, 1 pierces"));
-    const auto json_path = json::parse(path.columns.at("text"));
+    const auto json_path = text::parse_json<json>(path.columns.at("text"));
     EXPECT_EQ(json_path["name"], "square");
 }
 
@@ -110,7 +111,7 @@ TEST(DrawingForm, AMaterialSettlesFeedsAndPrice) {
 TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
     json asked = {{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}};
     const auto axes = [&] {
-        const json program = json::parse(path_of(asked).columns.at("text"));
+        const json program = text::parse_json<json>(path_of(asked).columns.at("text"));
         std::set<json> found;
         for (const json& path : program["paths"]) {
             for (const json& target : path["targets"]) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include "base/text/json.h"
 
 namespace gsim::studio {
 
@@ -37,7 +37,7 @@ inline Frame read_frame(const std::string& bytes) {
     const std::map<std::string, std::size_t> sizes{{"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
     Frame frame;
     const std::size_t header = number_at(bytes, 4);
-    frame.header = nlohmann::json::parse(bytes.substr(8, header));
+    frame.header = text::parse_json<nlohmann::json>(bytes.substr(8, header));
     std::size_t at = aligned(8 + header);
     for (const auto& column : frame.header.value("columns", nlohmann::json::array())) {
         const std::size_t size = sizes.at(column[1]) * column[2].get<std::size_t>();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text/json.h"
+
 namespace gsim::base {
 namespace {
 
@@ -14,15 +16,15 @@ TEST(TomlJson, HasAllThatADocumentSays) {
         "[[i]]\n[[i]]\nj = 1979-05-27T07:32:00Z\n",
         "part.toml");
     ASSERT_TRUE(value) << value.error();
-    EXPECT_EQ(*value,
-              json::parse(R"({"a": [1, 2.5, true, "x"], "b": {"c": {"d": "inf", "e": "-inf", "f": "nan"}},
+    EXPECT_EQ(*value, text::parse_json<json>(
+                          R"({"a": [1, 2.5, true, "x"], "b": {"c": {"d": "inf", "e": "-inf", "f": "nan"}},
         "g": "1979-05-27", "h": "07:32:00", "i": [{}, {"j": "1979-05-27T07:32:00Z"}]})"));
     EXPECT_EQ(toml_json("a = 1\nb = = 2\n", "part.toml").error().substr(0, 14), "part.toml:2:5:");
 }
 
 TEST(TomlJson, AValueIsWrittenOnOneLine) {
     const auto written = [](const char* value, TomlNumbers numbers) {
-        return toml_value(ordered_json::parse(value), numbers);
+        return toml_value(text::parse_json<ordered_json>(value), numbers);
     };
     EXPECT_EQ(written(R"({"z": 1, "a b": ["x\"\n", true, {}]})", TomlNumbers::as_they_are),
               R"({ z = 1, "a b" = ["x\"\u000A", true, {}] })");

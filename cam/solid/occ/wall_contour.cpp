@@ -32,7 +32,7 @@ Triple triple_of(const gp_XYZ& vector) {
     return {vector.X(), vector.Y(), vector.Z()};
 }
 
-gp_Vec vector_of(const Triple& triple) {
+gp_Vec occ_vector(const Triple& triple) {
     return {triple[0], triple[1], triple[2]};
 }
 
@@ -107,14 +107,14 @@ class EdgeSampler {
     }
 
     bool is_close(const WallPoint& a, const WallPoint& middle, const WallPoint& b) const {
-        const gp_Vec chord = vector_of(b.position_mm) - vector_of(a.position_mm);
-        const gp_Vec off = vector_of(middle.position_mm) - vector_of(a.position_mm);
+        const gp_Vec chord = occ_vector(b.position_mm) - occ_vector(a.position_mm);
+        const gp_Vec off = occ_vector(middle.position_mm) - occ_vector(a.position_mm);
         const double length = chord.Magnitude();
         const double off_mm = length > 1e-9 ? off.Crossed(chord).Magnitude() / length : off.Magnitude();
         if (off_mm > options_.tolerance_mm / 4) return false;
         const auto turns = [&](Triple WallPoint::*direction) {
-            const gp_Vec first = vector_of(a.*direction);
-            const gp_Vec last = vector_of(b.*direction);
+            const gp_Vec first = occ_vector(a.*direction);
+            const gp_Vec last = occ_vector(b.*direction);
             return first.Crossed(last).Magnitude() > kTurnStep_rad || first.Dot(last) < 0;
         };
         return !turns(&WallPoint::tangent) && !turns(&WallPoint::normal) && !turns(&WallPoint::wall_normal) &&
@@ -163,7 +163,7 @@ void turn_round(WallEdge& edge) {
 
 // Above 0 where the wall's outside is to the right of the way.
 double waste_to_the_right(const WallPoint& point) {
-    return vector_of(point.tangent).Crossed(vector_of(point.normal)).Dot(vector_of(point.wall_normal));
+    return occ_vector(point.tangent).Crossed(occ_vector(point.normal)).Dot(occ_vector(point.wall_normal));
 }
 
 }  // namespace
@@ -176,10 +176,10 @@ double ContourWalk::behind_mm(const WallEdge& edge) const {
         const auto at = static_cast<std::size_t>(share * static_cast<double>(edge.points.size()));
         const WallPoint& a = edge.points[std::min(at, edge.points.size() - 2)];
         const WallPoint& b = edge.points[std::min(at, edge.points.size() - 2) + 1];
-        const gp_Vec direction = (vector_of(a.along_wall) + vector_of(b.along_wall)) / 2;
+        const gp_Vec direction = (occ_vector(a.along_wall) + occ_vector(b.along_wall)) / 2;
         if (direction.Magnitude() < 0.5) continue;
-        const gp_Vec middle = (vector_of(a.position_mm) + vector_of(b.position_mm)) / 2;
-        const gp_Pnt start(middle.XYZ() + kBeside_mm * vector_of(a.wall_normal).XYZ());
+        const gp_Vec middle = (occ_vector(a.position_mm) + occ_vector(b.position_mm)) / 2;
+        const gp_Pnt start(middle.XYZ() + kBeside_mm * occ_vector(a.wall_normal).XYZ());
         // Not PerformNearest: OpenCASCADE 7.6 deletes the array that this makes as if it were one number.
         hits.Perform(gp_Lin(start, gp_Dir(direction)), kBeside_mm, 1e6);
         if (!hits.IsDone()) continue;
@@ -208,8 +208,8 @@ tl::expected<WallEdge, std::string> ContourWalk::edge_of(const TopoDS_Edge& edge
         fmt::format("edge{} of the {} face{}", label_of(file_, edge), kind_of(other), label_of(file_, other));
     found.points = *std::move(points);
     const WallPoint& middle = found.points[found.points.size() / 2];
-    const gp_Vec normal = vector_of(middle.normal);
-    if (normal.Dot(vector_of(middle.along_wall)) > 0)
+    const gp_Vec normal = occ_vector(middle.normal);
+    if (normal.Dot(occ_vector(middle.along_wall)) > 0)
         return No(fmt::format("is the foot of {}, which stands up there", shown(other, file_)));
     if (edge.Orientation() == TopAbs_REVERSED) turn_round(found);
     found.behind_mm = behind_mm(found);

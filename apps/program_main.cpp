@@ -1,0 +1,22 @@
+#include "apps/program_main.h"
+
+#include <string>
+#include <vector>
+
+#include "apps/front.h"
+#include "apps/out_of_memory.h"
+#include "apps/print.h"
+#include "base/os/standard_streams.h"
+#include "base/os/temporary_name.h"
+
+namespace gsim::apps {
+
+int program_main(const FrontPrograms& front, int argc, char** argv) {
+    end_where_memory_lacks();
+    os::hold_standard_streams();
+    os::remove_temporaries_at_signals();
+    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+    return finish_standard_output(run_front(front, argc > 0 ? argv[0] : "", arguments));
+}
+
+}  // namespace gsim::apps
