@@ -1,4 +1,5 @@
-// Where there is no zlib: as WebAssembly, which the page itself runs.
+// For WebAssembly, which the page itself runs and which has no zlib, and for gsim-first, which has no engine
+// of the page.
 
 #include "apps/view_page.h"
 
@@ -10,7 +11,8 @@ ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
 tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& /*file*/) {
-    return tl::unexpected(std::string("--view is for the native program"));
+    return tl::unexpected(
+        std::string("this build makes no pages (--view); make build builds the program that does"));
 }
 
 tl::expected<void, std::string> ViewPage::attach(engine::Run& /*run*/) {
