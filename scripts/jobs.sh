@@ -2,7 +2,7 @@
 # Prints how many compilers to run at once: one for each core, but no more than memory has room for.
 set -euo pipefail
 
-readonly kib_per_job=$((1536 * 1024))
+readonly kib_per_job=$((2304 * 1024))
 free_kib=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
 limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
 if [[ $limit != max ]] && ((limit / 1024 < free_kib)); then
