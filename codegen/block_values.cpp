@@ -1,7 +1,6 @@
 #include "codegen/block_values.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "codegen/oword_flow.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
