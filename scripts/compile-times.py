@@ -2,7 +2,7 @@
 """Prints the sources that take the most CPU time to compile, each compiled by itself, as a Markdown table.
 
 The commands are those of BUILD/compile_commands.json, from a configuration without unity builds:
-    cmake --preset release -B build-alone -DCMAKE_UNITY_BUILD=OFF -DGSIM_PRECOMPILE=ON && make -C build-alone generated gsim_precompiled
+    cmake --preset release -B build-alone -DGSIM_BATCHES=OFF -DGSIM_PRECOMPILE=ON && make -C build-alone generated gsim_precompiled
 Usage: compile-times.py BUILD [COUNT [FOLDER ...]]   COUNT rows (30), of sources in these folders only
 """
 

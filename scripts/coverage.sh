@@ -23,7 +23,7 @@ run_tests() {
 report() {
     local build=$1
     mkdir -p "$build/report"
-    gcovr --root . --filter "($rooms)/" --exclude '.*/Unity/' --exclude-throw-branches --exclude-unreachable-branches \
+    gcovr --root . --filter "($rooms)/" --exclude '.*/batches/' --exclude-throw-branches --exclude-unreachable-branches \
         -j "$(scripts/jobs.sh)" --json-summary "$build/coverage.json" --txt "$build/report/files.txt" --html-details "$build/report/index.html" "$build" >"$build/gcovr.log" 2>&1 ||
         { cat "$build/gcovr.log" >&2; return 1; }
     python3 scripts/coverage_table.py --least "$least_percent" "$build/coverage.json" "$build/lua_lines"

@@ -5,6 +5,7 @@
 #                                       headers, which are looked at once for each batch. SINCE, a commit: over the batches with sources that
 #                                       have changed since, and one with each header that has
 #        scripts/lint.sh alone SINCE    does each source that has changed since that commit compile by itself? Batches hide a missing #include
+# SINCE `all` is all of everything.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -37,21 +38,11 @@ prepare() {
     cmake --build "$1" --target generated >/dev/null
 }
 
-# The sources that have changed since a commit, and of those that include a header that has, in these rooms, as many as asked.
-# Usage: changed COMMIT ROOMS [MOST]
-changed() {
-    local base=$1 most=${3:-1000000} file
-    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
-        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi |
-            sed -nE "\\#^($2)/#p" | head -n "$most"
-    done | sort -u
-}
-
 # The batches and sources in which a commit's changes are, as patterns of whole names. A header is looked at in one of them.
 batches_since() {
     local source batches
-    changed "$1" "$rooms" 1 | while read -r source; do
-        batches=$(grep -rlF --include='*.cxx' "\"$PWD/$source\"" build-lint) || true
+    { scripts/affected.py changed "$1"; scripts/affected.py headers "$1"; } | sed -nE "\\#^($rooms)/#p" | while read -r source; do
+        batches=$(grep -rlF --include='*.cxx' "\"$source\"" build-lint) || true
         printf '%s\n' "${batches:-$source}"
     done | sort -u | sed -E 's#^build-lint/#'"$PWD"'/build-lint/#; s#^([^/].*)#'"$PWD"'/\1#; s/[.]/\\./g; s/^/^/; s/$/$/'
 }
@@ -60,8 +51,8 @@ batches_since() {
 tidy() {
     local since=${1:-} log own="^$PWD/($rooms)/" files
     prepare build-lint
-    files=("^$PWD/build-lint/($rooms)/.*/Unity/" "$own.*\.cpp\$")
-    if [[ -n $since ]] && git diff --quiet "$since" -- .clang-tidy; then
+    files=("^$PWD/build-lint/($rooms)/.*/batches/" "$own.*\.cpp\$")
+    if [[ -n $since && $since != all ]] && git diff --quiet "$since" -- .clang-tidy; then
         mapfile -t files < <(batches_since "$since")
         ((${#files[@]} > 0)) || return 0
     fi
@@ -76,8 +67,8 @@ tidy() {
 }
 
 alone() {
-    prepare build-alone -DCMAKE_UNITY_BUILD=OFF -DGSIM_TESTS=ON
-    changed "$1" "$rooms|tests" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
+    prepare build-alone -DGSIM_BATCHES=OFF -DGSIM_TESTS=ON
+    scripts/affected.py sources "$1" | sed -nE "\\#^($rooms|tests)/#p" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
 }
 
 case ${1:-} in

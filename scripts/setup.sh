@@ -7,7 +7,7 @@
 set -euo pipefail
 
 declare -A packages=(
-    [build]="g++ cmake make bison flex pkg-config liblua5.4-dev libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+    [build]="ccache g++ cmake make bison flex pkg-config liblua5.4-dev libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
              libtomlplusplus-dev libexpected-dev libfast-float-dev libpugixml-dev libcpp-httplib-dev zlib1g-dev
              libboost-dev libsqlite3-dev libssl-dev"
     [test]="libgtest-dev libgmock-dev libfcl-dev liborocos-kdl-dev libpolyclipping-dev lua5.4 gnuplot-nox python3 jq

@@ -8,12 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::accuracy::estimators_test {
 namespace {
 
 machine::Machine router() {
-    return machine::load_machine(GSIM_SAMPLES "/machines/grbl-router.toml").value();  // 100 mm/s, 1000 mm/s2
+    return machine::load_machine(tests::source_path("samples/machines/grbl-router.toml"))
+        .value();  // 100 mm/s, 1000 mm/s2
 }
 
 std::vector<ProgrammedMove> moves_of(const std::string& lines) {

@@ -9,12 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::accuracy::klipper_estimator_test {
 namespace {
 
 machine::Machine router() {
-    return machine::load_machine(GSIM_SAMPLES "/machines/klipper-router.toml")
+    return machine::load_machine(tests::source_path("samples/machines/klipper-router.toml"))
         .value();  // 100 mm/s, 1000 mm/s2
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::autopath_in_cell_test {
 
@@ -38,11 +39,11 @@ class AutopathInCell : public Apps {
     Ended autopath(std::vector<std::string> options) const {
         options.insert(options.begin(), {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "500", "500",
                                          "100", "-o", "holes.path.json"});
-        return run_program(GSIM_AUTOPATH, options, folder_);
+        return run_program(tests::program_path("autopath"), options, folder_);
     }
     Ended drive(const std::vector<std::string>& options = {}) const {
-        const Ended written =
-            run_program(GSIM_PATH2GCODE, {"--machine", "af5", "holes.path.json", "-o", "holes.nc"}, folder_);
+        const Ended written = run_program(tests::program_path("path2gcode"),
+                                          {"--machine", "af5", "holes.path.json", "-o", "holes.nc"}, folder_);
         EXPECT_EQ(written.status, 0) << written.err;
         std::vector<std::string> arguments{"--cell", "cell.toml", "holes.nc"};
         arguments.insert(arguments.end(), options.begin(), options.end());
@@ -95,7 +96,7 @@ TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
               std::string(kPlate) + kBlock);
     write("data.txt", "NCFILE\nOFFSET\n54 500 500 100\nENDFILE\n");
     const Ended made = run_program(
-        GSIM_AUTOPATH,
+        tests::program_path("autopath"),
         {"holes.svg", "--speed", "400", "--kerf", "1", "--cell", "cell.toml", "-o", "holes.path.json"},
         folder_);
     ASSERT_EQ(made.status, 0) << made.err;
@@ -106,7 +107,7 @@ TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
 
 TEST_F(AutopathInCell, WhatTheMachineDoesNotReachIsSaidWithItsContour) {
     cell(kPlate);
-    const Ended made = run_program(GSIM_AUTOPATH,
+    const Ended made = run_program(tests::program_path("autopath"),
                                    {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "1700", "500",
                                     "100", "--machine", "af5", "-o", "holes.path.json"},
                                    folder_);

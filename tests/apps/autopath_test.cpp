@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::autopath_test {
 
@@ -11,7 +12,7 @@ namespace {
 class AutopathProgram : public Apps {
   protected:
     Ended autopath(const std::vector<std::string>& arguments) const {
-        return run_program(GSIM_AUTOPATH, arguments, folder_);
+        return run_program(tests::program_path("autopath"), arguments, folder_);
     }
     // Cuts a drawing with plain values and writes part.path.json.
     Ended cut(const std::string& name, const std::string& text) const {

@@ -9,6 +9,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::belt_test {
 namespace {
@@ -77,7 +78,7 @@ std::array<double, 5> stroke_times(double caught_s) {
 }
 
 std::vector<std::string> sample(std::vector<std::string> more) {
-    const std::string folder = GSIM_SOURCE "/samples/cell/";
+    const std::string folder = tests::source_path("samples/cell/");
     more.insert(more.end(), {"--robots", folder + "robots.toml", folder + "cell.lua", "--json"});
     return more;
 }

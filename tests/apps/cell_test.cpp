@@ -6,6 +6,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::cell_test {
 namespace {
@@ -123,7 +124,7 @@ wait(8)
 
 TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
-    const std::string cell = fmt::format("{}/samples/cell/table.toml", GSIM_SOURCE);
+    const std::string cell = tests::source_path("samples/cell/table.toml");
     const Ended e = gsim_run({part, "--cell", cell});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.out, "nozzle end and mould")) << e.out;
@@ -145,7 +146,7 @@ std::string with_clamp_moved(std::string text, int clamp, double by_mm) {
 // The rim is cut on a circle of 215.9 mm; a clamp's end is 240 mm from its middle, and the nozzle has 7.14
 // mm.
 TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
-    const std::string samples = fmt::format("{}/samples/", GSIM_SOURCE);
+    const std::string samples = tests::source_path("samples/");
     const auto run = [&](const std::string& cell, int status) {
         const Ended e = gsim_run({samples + "wheel.nc", "--cell", cell, "--json"});
         EXPECT_EQ(e.status, status) << e.err;

@@ -8,6 +8,7 @@
 #include "base/os/confinement.h"
 #include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::confined_test {
 namespace {
@@ -27,15 +28,19 @@ class Confined : public Apps {
 
     /// Tries names while a program runs.
     Ended escape(const std::string& names, std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), {fmt::format("LD_PRELOAD={}", GSIM_ESCAPE_LIBRARY),
-                                             "GSIM_ESCAPE=" + names, GSIM_RUN});
+        arguments.insert(
+            arguments.begin(),
+            {fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_escape.so")),
+             "GSIM_ESCAPE=" + names, tests::program_path("gsim-run")});
         return run_program("/usr/bin/env", arguments, folder_);
     }
     /// The same for any program, when it opens a file whose name holds `at`.
     Ended escape_at(const std::string& at, const std::string& names,
                     std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), {fmt::format("LD_PRELOAD={}", GSIM_ESCAPE_LIBRARY),
-                                             "GSIM_ESCAPE_AT=" + at, "GSIM_ESCAPE=" + names, GSIM_FRONT});
+        arguments.insert(
+            arguments.begin(),
+            {fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_escape.so")),
+             "GSIM_ESCAPE_AT=" + at, "GSIM_ESCAPE=" + names, tests::program_path("gsim")});
         return run_program("/usr/bin/env", arguments, folder_);
     }
     void expect_confined(const std::string& at, std::vector<std::string> arguments) const {
@@ -92,10 +97,12 @@ TEST_F(Confined, SoItIsWithAControllerModule) {
     const std::string names = "r:" + path("elsewhere/secret");
     const Ended alone = escape(names, {"here/part.nc"});
     if (holds(alone.err, "reached")) GTEST_SKIP() << "this system confines no process";
-    const Ended beside = escape(names, {"--rcs", GSIM_RCS_DEFAULT, "here/part.nc"});
+    const Ended beside =
+        escape(names, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"), "here/part.nc"});
     EXPECT_EQ(beside.status, 0) << beside.err;
     EXPECT_TRUE(holds(beside.err, names + ": Permission denied")) << beside.err;
-    const Ended within = escape(names, {"--rcs", GSIM_RCS_DEFAULT, "--rcs-in-process", "here/part.nc"});
+    const Ended within = escape(names, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"),
+                                        "--rcs-in-process", "here/part.nc"});
     EXPECT_EQ(within.status, 0) << within.err;
     EXPECT_TRUE(holds(within.err, names + ": reached")) << within.err;
 }
@@ -157,8 +164,9 @@ TEST_F(Confined, SettingsMayNameTablesAnywhereAndTheDataGoBesideTheMachine) {
             joint);
     }
     write("here/mill.ini", ini);
-    const Ended ended = run_program(
-        GSIM_DATA, {"import", "here/mill.ini", "-o", "out/mill.toml", "--data", "out/mill.txt"}, folder_);
+    const Ended ended =
+        run_program(tests::program_path("gsim-data"),
+                    {"import", "here/mill.ini", "-o", "out/mill.toml", "--data", "out/mill.txt"}, folder_);
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_TRUE(holds(read("out/mill.txt"), "TOOL")) << read("out/mill.txt");
 }

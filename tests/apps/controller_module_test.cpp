@@ -10,6 +10,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::controller_module_test {
 namespace {
@@ -20,22 +21,21 @@ constexpr const char* kPart = "G0 X50 Y20\nG1 X150 F6000\nG2 X150 Y120 J50\nG4 P
 
 class ControllerModule : public Apps {
   protected:
-    static std::string sample(const std::string& name) {
-        return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
-    }
+    static std::string sample(const std::string& name) { return tests::source_path("samples/") + name; }
     Ended run(std::vector<std::string> arguments, const std::vector<std::string>& more) const {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return gsim_run(arguments);
     }
     static std::string test_module(const std::string& name) {
-        return fmt::format("{}/{}.so", GSIM_TEST_MODULES, name);
+        return tests::build_path("lib/test_modules/") + name + ".so";
     }
 };
 
 TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     const std::string part = write("part.nc", kPart);
     const json built_in = text::parse_json<json>(gsim_run({part, "--json"}).out);
-    const Ended e = gsim_run({part, "--json", "--explain", "--rcs", GSIM_RCS_DEFAULT});
+    const Ended e =
+        gsim_run({part, "--json", "--explain", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
     ASSERT_EQ(e.status, 0) << e.err;
     const json module = text::parse_json<json>(e.out);
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
@@ -52,8 +52,10 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
     const std::string part = write("tip.nc",
                                    "T1\nG0 X300 Y300 Z200\nG43.4 H1\nG1 X400 B10 C20 F2000\n"
                                    "G2 X500 I50 B-20 C10\nG49\nM2\n");
-    ASSERT_EQ(
-        run_program(GSIM_DATA, {"data.txt", "set", "TOOL", "1", "LENGTH=50", "--create"}, folder_).status, 0);
+    ASSERT_EQ(run_program(tests::program_path("gsim-data"),
+                          {"data.txt", "set", "TOOL", "1", "LENGTH=50", "--create"}, folder_)
+                  .status,
+              0);
     const auto run = [this](const std::string& program, const std::vector<std::string>& more) {
         std::vector<std::string> arguments{program, "--json", "--machine-data", "data.txt"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -61,7 +63,7 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
     };
     const json built_in = run(part, {});
     ASSERT_EQ(built_in["status"], "completed") << built_in["alarm"];
-    const json module = run(part, {"--rcs", GSIM_RCS_DEFAULT});
+    const json module = run(part, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
     EXPECT_EQ(module["status"], "completed") << module["alarm"];
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
     for (const char* axis : {"X", "Y", "Z"}) {
@@ -101,8 +103,9 @@ TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
 TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThisOne) {
     const std::string part = write("part.nc", kPart);
     const std::string alone = folder_ / "gsim";
-    std::filesystem::copy_file(std::filesystem::canonical(GSIM_FRONT), alone);
-    std::vector<std::string> arguments{"run", "--quiet", part, "--rcs", GSIM_RCS_DEFAULT};
+    std::filesystem::copy_file(std::filesystem::canonical(tests::program_path("gsim")), alone);
+    std::vector<std::string> arguments{"run", "--quiet", part, "--rcs",
+                                       tests::build_path("lib/libgsim_rcs_default.so")};
     const Ended refused = run_program(alone, arguments, folder_);
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(holds(refused.err, "the program gsim-rcs-host is neither in '")) << refused.err;
@@ -189,7 +192,8 @@ TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
     const std::vector<std::string> usual{part, "--machine",
                                          sample(std::string("machines/") + GetParam().machine), "--json"};
     const Ended a = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
-    const Ended b = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs", GSIM_RCS_DEFAULT});
+    const Ended b = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs",
+                                tests::build_path("lib/libgsim_rcs_default.so")});
     const json built_in = text::parse_json<json>(a.out), module = text::parse_json<json>(b.out);
     ASSERT_EQ(module["alarm"], nullptr) << b.out;
     EXPECT_EQ(module["status"], built_in["status"]);
@@ -208,7 +212,7 @@ TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
     const std::string part = program();
     const std::vector<std::string> usual{
         part,     "--machine", sample(std::string("machines/") + GetParam().machine),
-        "--json", "--rcs",     GSIM_RCS_DEFAULT};
+        "--json", "--rcs",     tests::build_path("lib/libgsim_rcs_default.so")};
     const Ended own = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
     const Ended here = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs-in-process"});
     EXPECT_EQ(own.status, here.status);
@@ -232,8 +236,10 @@ INSTANTIATE_TEST_SUITE_P(Machines, TurningTools,
 // The module has the machine's ranges, too, and says so in joints and rad.
 TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
     const std::string part = write("part.nc", "G1 A10 B-60 F3000\nM2\n");
-    const json report = text::parse_json<json>(
-        gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs", GSIM_RCS_DEFAULT}).out);
+    const json report =
+        text::parse_json<json>(gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs",
+                                         tests::build_path("lib/libgsim_rcs_default.so")})
+                                   .out);
     EXPECT_EQ(report["alarm"]["message"], "axis B would go to -60 deg, past its limit of -45 deg");
     EXPECT_EQ(report["alarm"]["axis"], "B");
 }
@@ -288,7 +294,8 @@ TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
 TEST_F(HostileModule, ARunThatIsInterruptedLeavesNoProcessBehind) {
     const std::string module = own_path("hangs");
     for (const char* const signal : {"INT", "KILL"}) {
-        run_program("/usr/bin/timeout", {"-s", signal, "1", GSIM_RUN, part_, "--quiet", "--rcs", module},
+        run_program("/usr/bin/timeout",
+                    {"-s", signal, "1", tests::program_path("gsim-run"), part_, "--quiet", "--rcs", module},
                     folder_);
         for (int i = 0; i < 100 && is_running(module); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::cpu_backstop_test {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 class CpuBackstop : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments) const {
-        return run_program(GSIM_FRONT, arguments, folder_);
+        return run_program(tests::program_path("gsim"), arguments, folder_);
     }
     void expect_ended(const std::vector<std::string>& arguments, const char* output) const {
         SCOPED_TRACE(arguments.front());

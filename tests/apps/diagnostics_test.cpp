@@ -2,6 +2,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::diagnostics_test {
 namespace {
@@ -11,7 +12,7 @@ using nlohmann::json;
 class DiagnosticsOutside : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments, const std::string& input = {}) const {
-        return run_program(GSIM_FRONT, arguments, folder_, input);
+        return run_program(tests::program_path("gsim"), arguments, folder_, input);
     }
     /// The only diagnostic of a document.
     static json only(const std::string& document) {

@@ -3,6 +3,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::dialects_test {
 namespace {
@@ -36,7 +37,8 @@ TEST_F(Dialects, Rs274ngcRunsDirectlyAndByItsLua) {
 TEST_F(Dialects, AnUnknownOneIsAUsageError) {
     EXPECT_EQ(gsim_run({"--dialect", "iso", write("part.nc", "G0 X1\n")}).status, 2);
     EXPECT_EQ(gcode2lua({"--unknown", "ignore", "part.nc"}).status, 2);
-    const Ended studio = run_program(GSIM_FRONT, {"studio", "--no-browser", "--dialect", "iso"}, folder_);
+    const Ended studio =
+        run_program(tests::program_path("gsim"), {"studio", "--no-browser", "--dialect", "iso"}, folder_);
     EXPECT_EQ(studio.status, 2);
     EXPECT_TRUE(holds(studio.err, "there is no dialect or control 'iso'")) << studio.err;
 }

@@ -13,6 +13,7 @@
 #include "base/text/json.h"
 #include "cam/drawing/dxf_reader.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::dxf_output_test {
 namespace {
@@ -24,7 +25,7 @@ using Line = std::vector<Vector3d>;
 using nlohmann::json;
 
 constexpr double kSame_mm = 1e-9;
-const std::string kMill = GSIM_SOURCE "/samples/machines/unlimited.toml";
+const std::string kMill = tests::source_path("samples/machines/unlimited.toml");
 
 class DxfOutput : public Apps {
   protected:
@@ -168,7 +169,7 @@ TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
 
 // The tip's way on the part, not that of the axes: beside a table that turns a straight move is a curve.
 TEST_F(DxfOutput, ATableThatTurnsMakesCurvesOfLines) {
-    const std::string machine = GSIM_SOURCE "/samples/machines/mill-head-table.toml";
+    const std::string machine = tests::source_path("samples/machines/mill-head-table.toml");
     ASSERT_EQ(gsim_run({write("turn.nc", "G21 G90 F3000\nG1 X10\nC90\nM30\n"), "--machine", machine,
                         "--quiet", "--dxf", "p.dxf"})
                   .status,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::front_test {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 class Front : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments) const {
-        return run_program(GSIM_FRONT, arguments, folder_);
+        return run_program(tests::program_path("gsim"), arguments, folder_);
     }
     const std::string part_ = write("part.nc", "G0 X100\nG1 X110 F3000\n");
     const std::string wrong_ = write("wrong.nc", "G0 X5000\n");

@@ -4,6 +4,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::gsim_data_test {
 namespace {
@@ -40,7 +41,7 @@ class GsimData : public Apps {
         return text.replace(text.find(from), from.size(), to);
     }
 
-    static std::string machine() { return fmt::format("{}/samples/machines/af5.toml", GSIM_SOURCE); }
+    static std::string machine() { return tests::source_path("samples/machines/af5.toml"); }
 };
 
 TEST_F(GsimData, ListsInColumns) {
@@ -139,8 +140,7 @@ TEST_F(GsimData, WarnsOfWhatIsSuspect) {
     EXPECT_TRUE(holds(e.err, "d.txt:9:3: warning: XMIN of WORKING 1 is -1 mm")) << e.err;
     EXPECT_TRUE(holds(e.err, "d.txt:11:11: warning: zone 3 is off at the start")) << e.err;
     EXPECT_FALSE(holds(e.err, "d.txt:5:")) << e.err;
-    const Ended sample =
-        gsim_data({fmt::format("{}/samples/jet.txt", GSIM_SOURCE), "check", "--machine", machine()});
+    const Ended sample = gsim_data({tests::source_path("samples/jet.txt"), "check", "--machine", machine()});
     EXPECT_EQ(sample.status, 0);
     EXPECT_EQ(sample.err, "");
 }
@@ -155,7 +155,7 @@ TEST_F(GsimData, ConvertsUnits) {
 }
 
 TEST_F(GsimData, JsonAndBack) {
-    const std::string sample = fmt::format("{}/samples/jet.txt", GSIM_SOURCE);
+    const std::string sample = tests::source_path("samples/jet.txt");
     ASSERT_EQ(gsim_data({sample, "convert", "--json", "-o", "d.json", "--machine", machine()}).status, 0);
     const Ended e = gsim_data({"back.txt", "convert", "--from-json", "d.json", "--machine", machine()});
     ASSERT_EQ(e.status, 0) << e.err;

@@ -4,6 +4,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::gsim_run_test {
 namespace {
@@ -110,7 +111,7 @@ TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
     const json r = report({part, "--passes", "2"});
     EXPECT_EQ(r["passes"].dump(), R"({"count":2,"file":"part.nc","line":3,"to_block":null})");
     EXPECT_EQ(r["moves"], 4);
-    const Ended check = run_program(GSIM_FRONT, {"check", part}, folder_);
+    const Ended check = run_program(tests::program_path("gsim"), {"check", part}, folder_);
     EXPECT_EQ(check.status, 0);
     EXPECT_TRUE(
         check.out.starts_with("part.nc:3: note: passes: 1 of the main program, which leads back to its "
@@ -131,15 +132,15 @@ TEST_F(GsimRun, MachinesAndTheirData) {
     const std::string part = write("part.nc", "G55 G0 X100\n");
     EXPECT_EQ(report({part, "--machine", machine}), report({part}));
     EXPECT_EQ(gsim_run({"--machine", machine, "--print-machine"}).out, read(machine));
-    const json router =
-        report({write("short.nc", "G0 X10\n"), "--machine", GSIM_SOURCE "/samples/machines/router3.toml"});
+    const json router = report(
+        {write("short.nc", "G0 X10\n"), "--machine", tests::source_path("samples/machines/router3.toml")});
     EXPECT_NE(router["machine"], report({"short.nc"})["machine"]);
     EXPECT_FALSE(router["bounds"].contains("B"));
 }
 
 TEST_F(GsimRun, ReplacesTheLibrary) {
     namespace fs = std::filesystem;
-    fs::copy(GSIM_SOURCE "/lua_lib", folder_ / "lib");
+    fs::copy(tests::source_path("lua_lib"), folder_ / "lib");
     write("lib/switches.lua",
           read("lib/switches.lua") +
               "use(\"words\", \"before\")(\"M8\", \"times\", function() core.event(\"mine\") end)\n");

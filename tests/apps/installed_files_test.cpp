@@ -8,6 +8,7 @@
 
 #include "base/os/installation.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::installed_files_test {
 namespace {
@@ -79,7 +80,7 @@ TEST_F(InstalledFiles, ProgramsTakeThemInAnEmptyFolder) {
     EXPECT_EQ(gsim_run({"--rcs", "gsim_rcs_default", "samples/wheel.nc"}).status, 0);
     EXPECT_EQ(gsim_run({"--check-machine", "router3"}).status, 0);
     EXPECT_EQ(gsim_run({"--robots", "samples/cell/robots.toml", "samples/cell/cell.lua"}).status, 0);
-    EXPECT_EQ(run_program(GSIM_PATH2GCODE,
+    EXPECT_EQ(run_program(tests::program_path("path2gcode"),
                           {"--dialect", "samples/posts/grbl.toml", "--machine", "grbl-router",
                            "samples/wheel.path.json"},
                           folder_)

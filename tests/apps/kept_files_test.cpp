@@ -6,6 +6,7 @@
 
 #include "base/os/file_lock.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::kept_files_test {
 namespace {
@@ -15,7 +16,8 @@ const std::string kData = "NCFILE\nVARIABLE\nENDFILE\n";
 class KeptFiles : public Apps {
   protected:
     Ended shell(const std::string& line) const {
-        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", GSIM_FRONT, line)}, folder_);
+        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", tests::program_path("gsim"), line)},
+                           folder_);
     }
     /// A lock that the test itself has.
     os::FileLock lock(const std::string& name) const {

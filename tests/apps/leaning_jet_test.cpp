@@ -9,6 +9,7 @@
 #include "base/text/json.h"
 #include "base/units.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::leaning_jet_test {
 
@@ -53,10 +54,10 @@ class LeaningJet : public Apps {
                           kPart_mm, kHole_mm));
         std::vector<std::string> arguments{"ring.svg", "-o", "ring.path.json"};
         arguments.insert(arguments.end(), options.begin(), options.end());
-        const Ended made = run_program(GSIM_AUTOPATH, arguments, folder_);
+        const Ended made = run_program(tests::program_path("autopath"), arguments, folder_);
         EXPECT_EQ(made.status, 0) << made.err;
-        const Ended written =
-            run_program(GSIM_PATH2GCODE, {"--machine", "af5", "ring.path.json", "-o", "ring.nc"}, folder_);
+        const Ended written = run_program(tests::program_path("path2gcode"),
+                                          {"--machine", "af5", "ring.path.json", "-o", "ring.nc"}, folder_);
         EXPECT_EQ(written.status, 0) << written.err;
         const Ended driven =
             gsim_run({"--machine", "af5", "ring.nc", "--trajectory", "ring.csv", "--step", "0.05"});
@@ -153,7 +154,7 @@ TEST_F(LeaningJet, WhatIsNotKnownIsAskedFor) {
     const auto refused = [&](const std::string& option, const std::string& why) {
         std::vector<std::string> arguments = plain;
         arguments.push_back(option);
-        const Ended ended = run_program(GSIM_AUTOPATH, arguments, folder_);
+        const Ended ended = run_program(tests::program_path("autopath"), arguments, folder_);
         EXPECT_EQ(ended.status, 2);
         EXPECT_TRUE(holds(ended.err, why)) << ended.err;
     };

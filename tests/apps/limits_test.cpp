@@ -2,6 +2,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::limits_test {
 namespace {
@@ -55,8 +56,8 @@ TEST_F(Limits, CpuTimeEndsATranslation) {
 
 TEST_F(Limits, CpuTimeIsOfEachProgramThatIsChecked) {
     write("part.lua", "while true do G0{x=1} G0{x=0} end\n");
-    const Ended check =
-        run_program(GSIM_FRONT, {"check", "part.lua", "part.lua", "--max-cpu-seconds", "0.1"}, folder_);
+    const Ended check = run_program(tests::program_path("gsim"),
+                                    {"check", "part.lua", "part.lua", "--max-cpu-seconds", "0.1"}, folder_);
     EXPECT_EQ(check.status, 1);
     const std::size_t first = check.out.find(kReached);
     EXPECT_NE(check.out.find(kReached, first + 1), std::string::npos) << check.out;
@@ -71,7 +72,8 @@ TEST_F(Limits, CpuTimeEndsARunOfRobotsAndAScriptOfAPath) {
     EXPECT_EQ(robots.status, 1) << robots.err;
     EXPECT_TRUE(holds(robots.out, kReached)) << robots.out << robots.err;
     write("path.lua", "local n = 0\nwhile true do\n  n = n + 1\nend\n");
-    const Ended path = run_program(GSIM_PATH2GCODE, {"path.lua", "--max-cpu-seconds", kAtOnce}, folder_);
+    const Ended path =
+        run_program(tests::program_path("path2gcode"), {"path.lua", "--max-cpu-seconds", kAtOnce}, folder_);
     EXPECT_EQ(path.status, 1);
     EXPECT_TRUE(holds(path.out + path.err, "path.lua:")) << path.out << path.err;
     EXPECT_TRUE(holds(path.out + path.err, kReached)) << path.out << path.err;

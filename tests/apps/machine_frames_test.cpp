@@ -7,6 +7,7 @@
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::machine_frames_test {
 namespace {
@@ -137,7 +138,7 @@ TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
 
 TEST_F(MachineFrames, OfAModuleAreTheModules) {
     const std::string body = "move_base(120, 0, 0) G1{x=200}";
-    EXPECT_NEAR(contact_s(body, {"--rcs", std::string(GSIM_TEST_MODULES) + "/has_base.so"}),
+    EXPECT_NEAR(contact_s(body, {"--rcs", tests::build_path("lib/test_modules/has_base.so")}),
                 (294.5 - 120) / 100, 0.01);
     const std::string refused = script(R"(
 local pose = {{1, 0, 0, 120}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
@@ -147,7 +148,9 @@ for _, name in ipairs{"base", "tool"} do
 end
 G1{x=200}
 )");
-    const json report = run({refused, "--machine", machine_, "--cell", cell_, "--rcs", GSIM_RCS_DEFAULT}, 0);
+    const json report = run({refused, "--machine", machine_, "--cell", cell_, "--rcs",
+                             tests::build_path("lib/libgsim_rcs_default.so")},
+                            0);
     EXPECT_TRUE(report["collisions"].empty());
 }
 

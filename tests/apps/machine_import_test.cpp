@@ -7,6 +7,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::machine_import_test {
 namespace {
@@ -21,9 +22,7 @@ class MachineImport : public Apps {
         EXPECT_EQ(e.status, status) << e.err;
         return text::try_parse_json<json>(e.out);
     }
-    static std::string sample(const std::string& name) {
-        return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
-    }
+    static std::string sample(const std::string& name) { return tests::source_path("samples/") + name; }
 };
 
 std::string section(const std::string& name, double range, double speed, double acceleration) {

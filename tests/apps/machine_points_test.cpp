@@ -6,18 +6,19 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::machine_points_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kRouter = GSIM_SOURCE "/samples/machines/router3.toml";
+const std::string kRouter = tests::source_path("samples/machines/router3.toml");
 
 class MachinePoints : public Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments) const {
-        return run_program(GSIM_PATH2GCODE, arguments, folder_);
+        return run_program(tests::program_path("path2gcode"), arguments, folder_);
     }
     std::string path(const std::string& targets, const std::string& keys = "",
                      const std::string& more = "") const {
@@ -153,7 +154,7 @@ TEST_F(MachinePoints, RotaryAxesStandWhereThePointHasThem) {
 
 // On a machine whose tip swings as its axes turn, lines that were kept back come before the way to the point.
 TEST_F(MachinePoints, AMachineWhoseTipSwingsGoesThereToo) {
-    const std::string machine = GSIM_SOURCE "/samples/machines/mill-table-table.toml";
+    const std::string machine = tests::source_path("samples/machines/mill-table-table.toml");
     path(R"({"motion": "rapid", "position_mm": [10, 10, 20], "rotary_deg": {"A": 0, "C": 0}},
             {"position_mm": [20, 10, 20], "feed_mm_min": 500, "rotary_deg": {"A": 10, "C": 20}}, {"fixed": 1},
             {"motion": "rapid", "position_mm": [10, 10, 20]}, {"position_mm": [20, 10, 20]})");
@@ -193,7 +194,7 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
                   "p.path.json:1:88: error: the post '" + dialect +
                       "' has no word for the reference point 3 ([reference_points] go); it has 1 to 2\n");
     }
-    std::ifstream file(GSIM_SOURCE "/samples/posts/fanuc.toml");
+    std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     const std::string post{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", std::regex_replace(post, std::regex("\\[reference_points\\]\ngo.*\nend.*\n"), ""));
     EXPECT_TRUE(holds(of_router({"--dialect", "mine.toml"}),

@@ -4,15 +4,14 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::machine_studies_test {
 namespace {
 
 class MachineStudies : public Apps {
   protected:
-    static std::string sample(const std::string& name) {
-        return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
-    }
+    static std::string sample(const std::string& name) { return tests::source_path("samples/") + name; }
 };
 
 TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {

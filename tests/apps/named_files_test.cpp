@@ -6,6 +6,7 @@
 
 #include "apps/outputs.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::named_files_test {
 namespace {
@@ -18,10 +19,11 @@ const std::string kData = "NCFILE\nOFFSET\n54 1 2 3\nENDFILE\n";
 class NamedFiles : public Apps {
   protected:
     Ended gsim(const std::vector<std::string>& arguments, const std::string& input = {}) const {
-        return run_program(GSIM_FRONT, arguments, folder_, input);
+        return run_program(tests::program_path("gsim"), arguments, folder_, input);
     }
     Ended shell(const std::string& line) const {
-        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", GSIM_FRONT, line)}, folder_);
+        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", tests::program_path("gsim"), line)},
+                           folder_);
     }
     /// The sentence with which it is refused, without the program's name and the hint behind it.
     std::string refused(const std::vector<std::string>& arguments) const {
@@ -146,7 +148,8 @@ TEST_F(NamedFiles, WhatIsMeantStaysAllowed) {
     EXPECT_EQ(gsim({"check", "p.nc", "p.nc"}).status, 0);
     EXPECT_EQ(gsim({"run", "p.nc", "--quiet", "--moves", "a", "--report", "b"}).status, 0);
     write("ab9", "");
-    EXPECT_EQ(gsim({"write", GSIM_SOURCE "/samples/wheel.path.json", "--dialect", "ab9", "-o", "ab9"}).status,
+    EXPECT_EQ(gsim({"write", tests::source_path("samples/wheel.path.json"), "--dialect", "ab9", "-o", "ab9"})
+                  .status,
               0)
         << "the name of a post is no file";
 }

@@ -10,6 +10,7 @@
 #include "base/text/json.h"
 #include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::outputs_test {
 namespace {
@@ -76,14 +77,15 @@ TEST_F(Outputs, NoProgramPrintsANegativeZero) {
         write("zero.nc",
               "G21 G90 F1000\nG0 X100 Y100\nG3 X100 Y100 I-10\nG19 G68 Y0 Z0 R-90\nG0 X-0. Y-0. Z0\nPOPEN\n"
               "#1=-0.0\nDPRNT[Z#1[53]]\nPCLOS\nM30\n");
-    const std::string machine = GSIM_SOURCE "/samples/machines/unlimited.toml";
+    const std::string machine = tests::source_path("samples/machines/unlimited.toml");
     std::vector<std::string> command = {part, "--machine", machine};
     for (const std::string& option : output_options())
         command.insert(command.end(), {option, file_of_option(option)});
     const Ended run = gsim_run(command);
     ASSERT_EQ(run.status, 0) << run.err;
-    const Ended check = gsim_run({"--check-machine", GSIM_SOURCE "/samples/machines/mill-head-table.toml"});
-    const Ended lua = run_program(GSIM_GCODE2LUA, {part}, folder_);
+    const Ended check =
+        gsim_run({"--check-machine", tests::source_path("samples/machines/mill-head-table.toml")});
+    const Ended lua = run_program(tests::program_path("gcode2lua"), {part}, folder_);
     std::vector<std::string> texts = {run.out, check.out, lua.out};
     for (const std::string& option : output_options()) texts.push_back(read(file_of_option(option)));
     for (const std::string& text : texts) {

@@ -5,13 +5,14 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::overrides_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kMachines = GSIM_SOURCE "/samples/machines/";
+const std::string kMachines = tests::source_path("samples/machines/");
 const std::string kProgram = "G21 G90 G61\nG1 X100 F3000\nM2\n";
 
 class OverrideOption : public Apps {
@@ -106,7 +107,7 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
 
 TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
     for (const std::string option : {"--feed-override", "--rapid-override", "--spindle-override"}) {
-        refused("router3", {option, "50", "--rcs", GSIM_RCS_DEFAULT},
+        refused("router3", {option, "50", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")},
                 option + " does not go with --rcs: a module has an override of its own, SetOverrideSpeed");
     }
 }

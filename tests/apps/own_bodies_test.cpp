@@ -5,6 +5,7 @@
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::own_bodies_test {
 namespace {
@@ -57,7 +58,8 @@ TEST_F(OwnBodies, AreToldByAReportForPeopleAndByGsimCheck) {
     EXPECT_TRUE(holds(gsim_run({part_, "--machine", machine_file}).out, "head and table"));
     const Ended quiet = gsim_run({part_, "--machine", machine_file, "--quiet"});
     EXPECT_TRUE(holds(quiet.err, "collisions: 1")) << quiet.err;
-    const Ended checked = run_program(GSIM_FRONT, {"check", "--machine", machine_file, part_}, folder_);
+    const Ended checked =
+        run_program(tests::program_path("gsim"), {"check", "--machine", machine_file, part_}, folder_);
     EXPECT_EQ(checked.status, 1);
     EXPECT_TRUE(holds(checked.out + checked.err, "collision: 'head' and 'table' at 1.700 s")) << checked.out;
 }
@@ -118,7 +120,7 @@ TEST_F(OwnBodies, OfSolidsAreNamedWhereNothingReadsThem) {
         machine("[[shape]]\nname = \"head\"\non = \"Z\"\nshape = { mesh = \"head.step\" }\n");
     const std::filesystem::path alone = folder_ / "alone" / "gsim";
     std::filesystem::create_directory(alone.parent_path());
-    std::filesystem::copy_file(GSIM_FRONT, alone);
+    std::filesystem::copy_file(tests::program_path("gsim"), alone);
     const Ended e = run_program(alone, {"run", "--machine", machine_file, part_}, folder_);
     EXPECT_EQ(e.status, 2);
     EXPECT_TRUE(holds(e.err, "the shape 'head' of the machine cannot be read: ")) << e.err;

@@ -10,19 +10,20 @@
 #include "base/text/json.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::path2gcode_test {
 namespace {
 
-const std::string kWheel = GSIM_SOURCE "/samples/wheel.path.json";
+const std::string kWheel = tests::source_path("samples/wheel.path.json");
 
 class Path2Gcode : public Apps {
   protected:
     Ended path2gcode(const std::vector<std::string>& arguments, const std::string& input = {}) const {
-        return run_program(GSIM_PATH2GCODE, arguments, folder_, input);
+        return run_program(tests::program_path("path2gcode"), arguments, folder_, input);
     }
     static std::string built_in_post(const std::string& name) {
-        std::ifstream file(GSIM_SOURCE "/samples/posts/" + name + ".toml");
+        std::ifstream file(tests::source_path("samples/posts/") + name + ".toml");
         return {std::istreambuf_iterator<char>(file), {}};
     }
 };
@@ -224,14 +225,14 @@ TEST_F(Path2Gcode, StandardInputAndScripts) {
     std::ifstream file(kWheel);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(path2gcode({"-"}, text).out, path2gcode({kWheel}).out);
-    const Ended flange = path2gcode({GSIM_SOURCE "/samples/flange.path.lua"});
+    const Ended flange = path2gcode({tests::source_path("samples/flange.path.lua")});
     EXPECT_EQ(flange.status, 0) << flange.err;
     EXPECT_TRUE(holds(flange.out, "G17 G03 X348.000 Y369.282 I-8.000 J0.000 F900.000")) << flange.out;
 }
 
 /// A post of one's own.
 TEST_F(Path2Gcode, APostFromAFile) {
-    std::ifstream file(GSIM_SOURCE "/samples/posts/fanuc.toml");
+    std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     std::string text{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", text.replace(text.find("M30"), 3, "M99"));
     EXPECT_TRUE(holds(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));

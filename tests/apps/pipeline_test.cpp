@@ -4,6 +4,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::pipeline_test {
 namespace {
@@ -21,7 +22,7 @@ class Pipeline : public Apps {
 };
 
 TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
-    const std::filesystem::path wheel = GSIM_SOURCE "/samples/wheel.nc";
+    const std::filesystem::path wheel = tests::source_path("samples/wheel.nc");
     std::filesystem::copy_file(wheel, folder_ / "wheel.nc");
     const Ended lua = gcode2lua({"wheel.nc"});
     ASSERT_EQ(lua.status, 0);
@@ -42,7 +43,7 @@ TEST_F(Pipeline, AForgedFirstLineHidesNoFile) {
     const Ended run = gsim_run({"evil.lua"});
     EXPECT_TRUE(holds(run.out, "evil.lua: good.nc")) << run.out;
     EXPECT_EQ(parsed(gsim_run({"evil.lua", "--json"}))["violations"][0]["file"], "evil.lua: good.nc");
-    const Ended check = run_program(GSIM_FRONT, {"check", "evil.lua"}, folder_);
+    const Ended check = run_program(tests::program_path("gsim"), {"check", "evil.lua"}, folder_);
     EXPECT_EQ(check.out.rfind("evil.lua: good.nc:1: ", 0), 0U) << check.out;
 }
 
@@ -91,7 +92,7 @@ TEST_F(Pipeline, ALongProgramIsOneProgram) {
 TEST_F(Pipeline, ScriptsPassLuasOwnCompiler) {
     const Ended there = run_program("/usr/bin/env", {"luac5.4", "-v"}, folder_);
     if (there.status != 0) GTEST_SKIP() << "no luac5.4";
-    write("part.lua", gcode2lua({GSIM_SOURCE "/samples/wheel.nc"}).out);
+    write("part.lua", gcode2lua({tests::source_path("samples/wheel.nc")}).out);
     const Ended e = run_program("/usr/bin/env", {"luac5.4", "-p", "part.lua"}, folder_);
     EXPECT_EQ(e.status, 0) << e.err;
 }

@@ -5,13 +5,14 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::probe_offset_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kRouter = GSIM_SOURCE "/samples/machines/router3.toml";
+const std::string kRouter = tests::source_path("samples/machines/router3.toml");
 
 /// A block with its lower left corner at X 300, Y 100 and its upper face at Z -70, and a ball of 6 mm whose
 /// lowest point is the end of the tool.
@@ -45,7 +46,7 @@ class ProbeOffset : public Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments) const {
         arguments.insert(arguments.end(), {"--machine", kRouter});
-        return run_program(GSIM_PATH2GCODE, arguments, folder_);
+        return run_program(tests::program_path("path2gcode"), arguments, folder_);
     }
     std::string written(const std::string& dialect, const std::vector<std::string>& more = {}) const {
         std::vector<std::string> options = {"p.path.json", "--quiet", "--dialect", dialect};
@@ -205,7 +206,7 @@ TEST_F(ProbeOffset, WhatCannotBeIsRefused) {
         EXPECT_EQ(ended.status, 1) << ended.out;
         return ended.err;
     };
-    std::ifstream file(GSIM_SOURCE "/samples/posts/grbl.toml");
+    std::ifstream file(tests::source_path("samples/posts/grbl.toml"));
     const std::string post{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", std::regex_replace(post, std::regex("\\[probe\\]\ntouch.*\n"), ""));
     EXPECT_TRUE(holds(refused(kTouches, {"--dialect", "mine.toml"}),

@@ -7,6 +7,7 @@
 #include "base/text/json.h"
 #include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::probe_test {
 namespace {
@@ -55,10 +56,11 @@ TEST_F(Probe, EndsWhereItTouchesABodyOfTheCell) {
         "G21 F600\nG0 X50 Y200\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nG38.4 X50\n(debug,%.4f#5061 #5070 "
         "#<_x>)\nG0 X20\nM2\n";
     for (const bool ball : {true, false}) {
-        const json r = report(
-            program,
-            {"--machine", write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml"))),
-             "--cell", cell(ball)});
+        const json r =
+            report(program,
+                   {"--machine",
+                    write("bare.toml", without_bodies(read(tests::source_path("samples/machines/af5.toml")))),
+                    "--cell", cell(ball)});
         const double at_mm = ball ? 195 : 200;
         EXPECT_EQ(debugs(r), fmt::format("{:.4f} 1.0000 {:.4f}\n{:.4f} 1.0000 {:.4f}\n", at_mm,
                                          at_mm + kBraking_mm, at_mm, at_mm - kBraking_mm));
@@ -86,11 +88,12 @@ TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
 }
 
 TEST_F(Probe, AMoveThatGoesDeeperCollides) {
-    const json r = report(
-        "G21 F600\nG0 X50 Y200\nG38.2 X300\nG1 X210\nG0 X20\nM2\n",
-        {"--machine", write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml"))),
-         "--cell", cell(true)},
-        1);
+    const json r =
+        report("G21 F600\nG0 X50 Y200\nG38.2 X300\nG1 X210\nG0 X20\nM2\n",
+               {"--machine",
+                write("bare.toml", without_bodies(read(tests::source_path("samples/machines/af5.toml")))),
+                "--cell", cell(true)},
+               1);
     ASSERT_EQ(r["collisions"].size(), 1U);
     EXPECT_EQ(r["collisions"][0]["line"], 4);
     EXPECT_EQ(r["collisions"][0]["kind"], "penetrating");
@@ -134,9 +137,9 @@ TEST_F(Probe, TheOptionSaysWhatItTakes) {
         EXPECT_EQ(text::parse_json<json>(e.out)["diagnostics"][0]["text"], takes + value + "'");
     }
     EXPECT_EQ(report(program, {"--probe", "X=+2.5"})["status"], "completed");
-    const Ended arm = gsim_run({write("part.ngc", program), "--machine",
-                                std::string(GSIM_SOURCE) + "/samples/machines/arm6.toml", "--dialect",
-                                "rs274ngc", "--probe", "z=1"});
+    const Ended arm =
+        gsim_run({write("part.ngc", program), "--machine", tests::source_path("samples/machines/arm6.toml"),
+                  "--dialect", "rs274ngc", "--probe", "z=1"});
     EXPECT_EQ(arm.status, 2);
     EXPECT_EQ(arm.err, "gsim-run: --probe: the machine has no linear axis Z\n");
     const Ended robots =
@@ -147,7 +150,8 @@ TEST_F(Probe, TheOptionSaysWhatItTakes) {
 TEST_F(Probe, ACheckTakesTheOptionToo) {
     const std::string part = write("part.ngc", "G21 F600\nG38.2 X30\nM2\n");
     const auto check = [&](const std::string& value) {
-        return run_program(GSIM_FRONT, {"check", "--dialect", "rs274ngc", "--probe", value, part}, folder_);
+        return run_program(tests::program_path("gsim"),
+                           {"check", "--dialect", "rs274ngc", "--probe", value, part}, folder_);
     };
     EXPECT_EQ(check("x=20").status, 0);
     const Ended nothing = check("none");
@@ -165,7 +169,8 @@ TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
 // A module is stopped at the end of the step in which it touches; ours brakes as the planner in process does.
 TEST_F(Probe, AControllerModuleIsStopped) {
     const std::string program = "G21 F600\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nM2\n";
-    const json r = report(program, {"--probe", "x=100", "--rcs", GSIM_RCS_DEFAULT});
+    const json r =
+        report(program, {"--probe", "x=100", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
     double trip_mm = 0;
     double found = 0;
     double stop_mm = 0;
@@ -180,7 +185,7 @@ TEST_F(Probe, AControllerModuleIsStopped) {
 TEST_F(Probe, AModuleThatCannotBeStoppedIsAnAlarm) {
     const json r =
         report("G21 F600\nG38.2 X300\nM2\n",
-               {"--probe", "x=100", "--rcs", fmt::format("{}/small_module.so", GSIM_TEST_MODULES)}, 1);
+               {"--probe", "x=100", "--rcs", tests::build_path("lib/test_modules/small_module.so")}, 1);
     EXPECT_EQ(r["alarm"]["message"],
               "this controller cannot stop a probe where it touches: it has no StopMotion");
 }

@@ -9,6 +9,7 @@
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/apps/slides.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::rapids_test {
 namespace {
@@ -131,8 +132,10 @@ TEST_F(Rapids, LengthsTrajectoryAndBoundAreOfTheDrivenWay) {
 
 // In steps, with our own planner as a module: it is told the rule.
 TEST_F(Rapids, ModulesAreToldTheRule) {
-    const json r =
-        report(false, 1e4, {"--rcs", GSIM_RCS_DEFAULT, "--cell", write("cell.toml", post_at(100, 100))}, 1);
+    const json r = report(false, 1e4,
+                          {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"), "--cell",
+                           write("cell.toml", post_at(100, 100))},
+                          1);
     EXPECT_EQ(r["collisions"].size(), 1U);
 }
 

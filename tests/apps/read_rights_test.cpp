@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::read_rights_test {
 namespace {
@@ -41,16 +42,16 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
 
 TEST_F(ReadRights, PipesOfTheCommandLineAreRead) {
     write("part.nc", "G0 X1\nM2\n");
-    const std::string machine = GSIM_SOURCE "/samples/machines/af5.toml";
+    const std::string machine = tests::source_path("samples/machines/af5.toml");
     write("cell.toml", "[cell]\nname = \"c\"\n");
     write("data.txt", "NCFILE\nENDFILE\n");
     const Ended ended =
         shell(fmt::format("{} --machine <(cat {}) --cell <(cat cell.toml) --machine-data <(cat data.txt) "
                           "--variables <(true) <(cat part.nc)",
-                          GSIM_RUN, machine));
+                          tests::program_path("gsim-run"), machine));
     EXPECT_TRUE(holds(ended.out, "completed")) << ended.out << ended.err;
-    const Ended translated =
-        shell(fmt::format("{} --machine <(cat {}) <(cat part.nc)", GSIM_GCODE2LUA, machine));
+    const Ended translated = shell(
+        fmt::format("{} --machine <(cat {}) <(cat part.nc)", tests::program_path("gcode2lua"), machine));
     EXPECT_EQ(translated.status, 0) << translated.err;
 }
 

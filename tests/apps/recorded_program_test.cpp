@@ -1,5 +1,6 @@
 // A recorded run written again: the words of offsets, feeds, modes, switches and tools, and what is refused.
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::recorded_program_test {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class RecordedProgram : public Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments) const {
-        return run_program(GSIM_PATH2GCODE, arguments, folder_);
+        return run_program(tests::program_path("path2gcode"), arguments, folder_);
     }
     void record(const std::string& program, const std::vector<std::string>& options = {}) const {
         write("data.txt", "NCFILE\nOFFSET\n54 200 150 -60\n55 10 20 30\nTOOL\n3 0 6\nENDFILE\n");

@@ -5,13 +5,14 @@
 #include "base/text/json.h"
 #include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::robots_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kSample = GSIM_SOURCE "/samples/cell/";
+const std::string kSample = tests::source_path("samples/cell/");
 
 class Robots : public Apps {
   protected:
@@ -109,7 +110,7 @@ name = "tip"
 on = "tool"
 shape = { sphere_mm = 10.0 }
 )");
-    write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml")));
+    write("bare.toml", without_bodies(read(tests::source_path("samples/machines/af5.toml"))));
     write("belt.toml",
           "[[robot]]\nname = \"left\"\nmachine = \"bare.toml\"\ncell = \"cell.toml\"\n[[robot]]\nname = "
           "\"right\"\n"

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::apps {
 
 namespace fs = std::filesystem;
@@ -74,15 +76,15 @@ Apps::~Apps() {
 }
 
 Ended Apps::gcode2lua(const std::vector<std::string>& arguments, const std::string& input) const {
-    return run_program(GSIM_GCODE2LUA, arguments, folder_, input);
+    return run_program(tests::program_path("gcode2lua"), arguments, folder_, input);
 }
 
 Ended Apps::gsim_run(const std::vector<std::string>& arguments, const std::string& input) const {
-    return run_program(GSIM_RUN, arguments, folder_, input);
+    return run_program(tests::program_path("gsim-run"), arguments, folder_, input);
 }
 
 Ended Apps::gsim_data(const std::vector<std::string>& arguments) const {
-    return run_program(GSIM_DATA, arguments, folder_);
+    return run_program(tests::program_path("gsim-data"), arguments, folder_);
 }
 
 std::string Apps::write(const std::string& name, const std::string& text) const {

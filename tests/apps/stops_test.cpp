@@ -9,6 +9,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::stops_test {
 namespace {
@@ -125,7 +126,7 @@ class Stops : public Apps {
         return text::parse_json<json>(read("report.json"))["cycle_time_s"].get<double>();
     }
     std::string machine_of(const std::string& model) const {
-        std::string text = read(GSIM_SOURCE "/samples/machines/linuxcnc-router.toml");
+        std::string text = read(tests::source_path("samples/machines/linuxcnc-router.toml"));
         const std::string given = "model = \"linuxcnc-2.9\"";
         text.replace(text.find(given), given.size(), fmt::format("model = \"{}\"", model));
         // Words that take time of their own are no stops.
@@ -226,7 +227,7 @@ TEST_F(Stops, LinuxCncAsRecorded) {
         if (!is_counted(word)) continue;
         ++counted;
         EXPECT_NEAR(
-            time_s(program.string(), "rs274ngc", GSIM_SOURCE "/samples/machines/linuxcnc-router.toml"),
+            time_s(program.string(), "rs274ngc", tests::source_path("samples/machines/linuxcnc-router.toml")),
             recorded_s, kWallClock_s)
             << name << ": " << word;
     }

@@ -1,5 +1,6 @@
 // Fixed and reference points of the machine data, from the file to where the machine stands.
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::stored_points_test {
 namespace {
@@ -34,7 +35,8 @@ TEST_F(StoredPoints, AScriptGoesThereByName) {
               "G53() G0(fixed \"CLAMP1\")\nM30()\nend)\n");
     EXPECT_EQ(place_after(script, {"--record", "part.path.json"}), kClamp);
     // What was recorded is a path, and a program of it leads there too.
-    const Ended written = run_program(GSIM_PATH2GCODE, {"part.path.json", "--quiet"}, folder_);
+    const Ended written =
+        run_program(tests::program_path("path2gcode"), {"part.path.json", "--quiet"}, folder_);
     ASSERT_EQ(written.status, 0) << written.err;
     EXPECT_EQ(place_after(write("again.nc", written.out)), kClamp);
 }

@@ -7,6 +7,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::torque_run_test {
 namespace {
@@ -27,7 +28,7 @@ void replace(std::string& text, const std::string& old, const std::string& by) {
 
 /// The sample mill with masses and motors; none of them is a maker's.
 std::string mill(const std::string& controller) {
-    std::string text = file_text(GSIM_SOURCE "/samples/machines/mill-table-table.toml");
+    std::string text = file_text(tests::source_path("samples/machines/mill-table-table.toml"));
     replace(text, "[path]",
             "[controller]\nmodel = \"" + controller + "\"\n[dynamics]\nlimit = \"torque\"\n[path]");
     const std::map<std::string, std::string> motors{{"X", "peak_n = 3000"},
@@ -78,7 +79,7 @@ feed_percent = 100
 
 // The sample dome, of the table that tilts about X.
 std::string dome() {
-    std::string text = file_text(GSIM_SOURCE "/samples/mill/dome.nc");
+    std::string text = file_text(tests::source_path("samples/mill/dome.nc"));
     replace(text, " B#1", " A-#1");
     return text;
 }

@@ -6,6 +6,7 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::turntable_test {
 namespace {
@@ -21,7 +22,7 @@ constexpr double kRamp_s = kSpeed_deg_s / kAcceleration_deg_s2;
 constexpr double kQuarter_s = 90 / kSpeed_deg_s + kRamp_s;
 
 std::vector<std::string> on_the_table(std::vector<std::string> arguments) {
-    const std::string samples = GSIM_SOURCE "/samples/";
+    const std::string samples = tests::source_path("samples/");
     arguments.insert(arguments.end(), {samples + "mill/turntable.nc", "--machine",
                                        samples + "machines/mill-table-table.toml"});
     return arguments;

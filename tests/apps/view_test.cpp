@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 #include "tests/studio/frames.h"
 
 namespace gsim::apps::view_test {
@@ -25,7 +26,7 @@ class ViewOutput : public Apps {
     void install(const std::string& page) const {
         fs::create_directories(folder_ / "here/bin");
         fs::create_directories(folder_ / "here/share/gsim/studio");
-        fs::copy_file(fs::canonical(GSIM_RUN), folder_ / "here/bin/gsim-run");
+        fs::copy_file(fs::canonical(tests::program_path("gsim-run")), folder_ / "here/bin/gsim-run");
         write("here/share/gsim/studio/view.html", page);
     }
     Ended view(const std::vector<std::string>& arguments, const std::string& input = {}) const {

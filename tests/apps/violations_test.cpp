@@ -2,13 +2,14 @@
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::violations_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kRouter = GSIM_SOURCE "/samples/machines/router3.toml";
+const std::string kRouter = tests::source_path("samples/machines/router3.toml");
 const std::string kOff = "G54 M3 S1000\nG0 X100 Y10\nG1 X-12.5 F1000\nX50\nM30\n";
 
 class Violations : public Apps {
@@ -21,7 +22,7 @@ class Violations : public Apps {
     }
     Ended check(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "check");
-        return run_program(GSIM_FRONT, arguments, folder_);
+        return run_program(tests::program_path("gsim"), arguments, folder_);
     }
 };
 

@@ -6,18 +6,20 @@
 
 #include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::whole_output_test {
 namespace {
 
-const std::string kSamples = GSIM_SOURCE "/samples/";
+const std::string kSamples = tests::source_path("samples/");
 constexpr const char* kFull = "cannot write standard output: No space left on device\n";
 
 class WholeOutput : public Apps {
   protected:
     /// What comes of a line of the shell, in which $G is gsim.
     Ended shell(const std::string& line) const {
-        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", GSIM_FRONT, line)}, folder_);
+        return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", tests::program_path("gsim"), line)},
+                           folder_);
     }
     void SetUp() override {
         if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";

@@ -4,19 +4,20 @@
 #include "base/text/json.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::apps::work_frames_test {
 namespace {
 
 using nlohmann::json;
 
-const std::string kRouter = GSIM_SOURCE "/samples/machines/router3.toml";
+const std::string kRouter = tests::source_path("samples/machines/router3.toml");
 
 class WorkFrames : public Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments) const {
         arguments.insert(arguments.end(), {"--machine", kRouter});
-        return run_program(GSIM_PATH2GCODE, arguments, folder_);
+        return run_program(tests::program_path("path2gcode"), arguments, folder_);
     }
     std::string part() const {
         return write("part.path.json", R"json({"paths": [{"name": "part", "targets": [

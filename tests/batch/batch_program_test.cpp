@@ -15,6 +15,7 @@
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::batch::batch_program_test {
 namespace {
@@ -32,7 +33,7 @@ constexpr const char* kTimeout_s = "1";
 class BatchProgram : public apps::Apps {
   protected:
     Ended batch(const std::vector<std::string>& words) const {
-        return apps::run_program(GSIM_BATCH, words, folder_);
+        return apps::run_program(tests::program_path("gsim-batch"), words, folder_);
     }
 
     /// The one number that a query comes to.
@@ -236,7 +237,7 @@ TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
 }
 
 TEST_F(BatchProgram, PagesHaveTheFinishedRunOfWhatFails) {
-    if (!std::filesystem::exists(std::filesystem::path(GSIM_BATCH).parent_path() /
+    if (!std::filesystem::exists(std::filesystem::path(tests::program_path("gsim-batch")).parent_path() /
                                  "../share/gsim/studio/view.html"))
         GTEST_SKIP() << "this build has no page of the studio";
     write("m.toml", kSlide);
@@ -266,8 +267,8 @@ steps = 1000
     const auto spawn = [&](int signal, std::chrono::milliseconds after) {
         os::SpawnActions actions;
         actions.redirect(2, 1);
-        const std::string command =
-            fmt::format("cd '{}' && exec {} plan.toml -q", folder_.string(), GSIM_BATCH);
+        const std::string command = fmt::format("cd '{}' && exec {} plan.toml -q", folder_.string(),
+                                                tests::program_path("gsim-batch"));
         const auto child = os::spawn({"/bin/sh", "-c", command}, actions);
         ASSERT_TRUE(child);
         std::this_thread::sleep_for(after);

@@ -9,6 +9,7 @@
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::batch::full_disk_test {
 namespace {
@@ -43,7 +44,7 @@ class FullDisk : public apps::Apps {
         return apps::run_program("/bin/bash", {"-c", command}, folder_);
     }
     Ended batch(const std::vector<std::string>& words) const {
-        return apps::run_program(GSIM_BATCH, words, folder_);
+        return apps::run_program(tests::program_path("gsim-batch"), words, folder_);
     }
 
     /// What each program of the latest batch comes to.
@@ -76,13 +77,13 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
     int full = 0, whole = 0;
     for (int room_kib = 0; room_kib <= kMost_kib && whole < 2; room_kib += kStep_kib) {
         remove_results();
-        const Ended ended = within(room_kib, GSIM_BATCH, kWords);
+        const Ended ended = within(room_kib, tests::program_path("gsim-batch"), kWords);
         ++(ended.status == 0 ? whole : full);
         if (ended.status != 0) {
             EXPECT_EQ(ended.status, 2) << room_kib << ": " << ended.err;
             EXPECT_THAT(ended.err, HasSubstr("'r.sqlite': ")) << room_kib;
         }
-        const Ended next = within(kMost_kib, GSIM_BATCH, kWords);
+        const Ended next = within(kMost_kib, tests::program_path("gsim-batch"), kWords);
         EXPECT_EQ(next.status, 0) << room_kib << ": " << next.err;
         EXPECT_EQ(rows("r.sqlite"), clean) << room_kib;
     }
@@ -94,7 +95,7 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
 TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
     ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     const auto before = rows("r.sqlite");
-    ASSERT_EQ(within(kStep_kib, GSIM_BATCH, kWords).status, 2);
+    ASSERT_EQ(within(kStep_kib, tests::program_path("gsim-batch"), kWords).status, 2);
     EXPECT_EQ(rows("r.sqlite"), before);
     const Ended next = batch({"--machine", "m.toml", "p.ngc", "p1.ngc", "--results", "r.sqlite"});
     EXPECT_THAT(next.err, HasSubstr("1 run in")) << "the first one is there already";
@@ -105,13 +106,14 @@ TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
     for (const char* option :
          {"--csv", "--json-lines", "--junit", "--sarif", "--statistics-json", "--page"}) {
         write("out", "old\n");
-        const Ended ended = within(0, GSIM_BATCH, fmt::format("--results r.sqlite {} out", option));
+        const Ended ended =
+            within(0, tests::program_path("gsim-batch"), fmt::format("--results r.sqlite {} out", option));
         EXPECT_EQ(ended.status, 2) << option << ended.err;
         EXPECT_THAT(ended.err, AllOf(HasSubstr("'out'"), HasSubstr(kReason))) << option;
         EXPECT_EQ(ended.err.find("r.sqlite"), std::string::npos) << option << ": it is not to blame";
         EXPECT_EQ(read("out"), "old\n") << option;
     }
-    const Ended pages = within(0, GSIM_BATCH, "--results r.sqlite --pages site");
+    const Ended pages = within(0, tests::program_path("gsim-batch"), "--results r.sqlite --pages site");
     EXPECT_EQ(pages.status, 2);
     EXPECT_THAT(pages.err, AllOf(HasSubstr("site/"), HasSubstr(kReason)));
 }
@@ -122,7 +124,8 @@ TEST_F(FullDisk, OfStandardErrorEndsNothing) {
     const auto unheard = [&](const std::string& words) {
         return apps::run_program("/bin/bash", {"-c", words + " 2>/dev/full"}, folder_).status;
     };
-    const std::string batch = GSIM_BATCH " ", optimise = GSIM_OPTIMISE " ";
+    const std::string batch = tests::program_path("gsim-batch") + " ",
+                      optimise = tests::program_path("gsim-optimise") + " ";
     EXPECT_EQ(unheard(batch + kWords), 0);
     EXPECT_EQ(rows("r.sqlite").size(), 3U);
     EXPECT_EQ(unheard(batch + "none.ngc"), 2);
@@ -136,7 +139,7 @@ TEST_F(FullDisk, ASearchGoesOn) {
     write("search.toml", kOverride);
     const auto search = [&](int room_kib, const std::string& file) {
         return within(
-            room_kib, GSIM_OPTIMISE,
+            room_kib, tests::program_path("gsim-optimise"),
             fmt::format("search.toml --variants 20 -q --results {0}.sqlite --json {0}.json --best best-{0}",
                         file));
     };

@@ -14,6 +14,7 @@
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::batch::optimise_program_test {
 namespace {
@@ -22,15 +23,15 @@ using apps::Ended;
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr const char* kSamples = GSIM_SOURCE "/samples";
+const std::string kSamples = tests::source_path("samples");
 
 class OptimiseProgram : public apps::Apps {
   protected:
     Ended optimise(const std::vector<std::string>& words) const {
-        return apps::run_program(GSIM_OPTIMISE, words, folder_);
+        return apps::run_program(tests::program_path("gsim-optimise"), words, folder_);
     }
     Ended batch(const std::vector<std::string>& words) const {
-        return apps::run_program(GSIM_BATCH, words, folder_);
+        return apps::run_program(tests::program_path("gsim-batch"), words, folder_);
     }
     json found(const std::string& file = "found.json") const { return text::parse_json<json>(read(file)); }
 
@@ -95,7 +96,7 @@ TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
     actions.redirect(2, 1);
     const auto child = os::spawn({"/bin/sh", "-c",
                                   fmt::format("cd '{}' && exec {} plan.toml --variants 600 -q > cut.txt",
-                                              folder_.string(), GSIM_OPTIMISE)},
+                                              folder_.string(), tests::program_path("gsim-optimise"))},
                                  actions);
     ASSERT_TRUE(child);
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
@@ -154,7 +155,8 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
     EXPECT_LT(found()["best"]["value"].get<double>(), found()["start"]["value"].get<double>());
     // What is written does it by itself.
     const Ended again = apps::run_program(
-        GSIM_RUN, {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
+        tests::program_path("gsim-run"),
+        {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
     ASSERT_EQ(again.status, 0) << again.err;
     EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
 }
@@ -176,8 +178,8 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     EXPECT_GE(figures["clearance_mm"].get<double>(), 0.25);
     // By the program that everybody has, from the files that were written.
     const Ended again = apps::run_program(
-        GSIM_RUN, {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"},
-        folder_);
+        tests::program_path("gsim-run"),
+        {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"}, folder_);
     ASSERT_EQ(again.status, 0) << again.err;
     const json report = text::parse_json<json>(again.out);
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
@@ -209,8 +211,9 @@ to = 2000
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_THAT(read("there/best/p.ngc.machine.toml"), HasSubstr("kind = \"linear\""));
     EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
-    const Ended again = apps::run_program(
-        GSIM_RUN, {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
+    const Ended again =
+        apps::run_program(tests::program_path("gsim-run"),
+                          {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
     EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
     // The proof is made, not found.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
@@ -223,7 +226,7 @@ TEST_F(OptimiseProgram, WaitsForOthersAtItsResults) {
     write("plan.toml", kOverride);
     const auto child = os::spawn({"/bin/sh", "-c",
                                   fmt::format("cd '{}' && exec {} plan.toml --variants 200 -q > /dev/null",
-                                              folder_.string(), GSIM_OPTIMISE)},
+                                              folder_.string(), tests::program_path("gsim-optimise"))},
                                  os::SpawnActions());
     ASSERT_TRUE(child);
     for (int i = 0; i < 8; ++i) {

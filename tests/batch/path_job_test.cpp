@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "batch/work/run_job.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::batch::path_job_test {
 namespace {
@@ -15,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr const char* kWheel = GSIM_SOURCE "/samples/wheel.path.json";
+const std::string kWheel = tests::source_path("samples/wheel.path.json");
 
 Job wheel_job(std::vector<SettingValue> settings) {
     return {.program = kWheel,
-            .machine = GSIM_SOURCE "/samples/machines/af5-measured.toml",
+            .machine = tests::source_path("samples/machines/af5-measured.toml"),
             .options = {{"collisions", false}},
             .settings = std::move(settings)};
 }
@@ -27,7 +28,7 @@ Job wheel_job(std::vector<SettingValue> settings) {
 Job job_in_cell(std::vector<SettingValue> settings) {
     Job job = wheel_job(std::move(settings));
     job.machine.clear();
-    job.options = {{"cell", GSIM_SOURCE "/samples/cell/wheel.toml"}, {"path_frame", "wheel centre"}};
+    job.options = {{"cell", tests::source_path("samples/cell/wheel.toml")}, {"path_frame", "wheel centre"}};
     return job;
 }
 
@@ -110,7 +111,7 @@ TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
     job.options["path_frame"] = "X";
     EXPECT_THAT(runner.run(job).message, HasSubstr("does not go along with the work"));
     Job plain = wheel_job({{"path.place.x_mm", 1}});
-    plain.program = GSIM_SOURCE "/samples/wheel.nc";
+    plain.program = tests::source_path("samples/wheel.nc");
     EXPECT_THAT(runner.run(plain).message, HasSubstr("is of paths"));
     EXPECT_THAT(runner.run(wheel_job({{"path.place.x_mm", 5000}})).message, HasSubstr("out of reach"));
     EXPECT_THAT(runner.run(wheel_job({{"path.rin.feed_mm_min", 5000}})).message, HasSubstr("'rim'"));
@@ -118,7 +119,7 @@ TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
     EXPECT_THAT(runner.run(wheel_job({{"path.order", nlohmann::json::array({0U, 1U})}})).message,
                 HasSubstr("each of 0 to 2"));
     Job program = job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift}});
-    program.program = GSIM_SOURCE "/samples/wheel.nc";
+    program.program = tests::source_path("samples/wheel.nc");
     EXPECT_THAT(runner.run(program).message, HasSubstr("would not go along with 'wheel centre'"));
     Job klipper = wheel_job({});
     klipper.options["dialect"] = "klipper";

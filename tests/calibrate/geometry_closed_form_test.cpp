@@ -17,6 +17,7 @@
 #include "calibrate/geometry/squareness.h"
 #include "calibrate/geometry/suggest.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::calibrate::geometry_closed_form_test {
 namespace {
@@ -46,7 +47,7 @@ machine::Machine with_table() {
 }
 
 machine::Machine sample(const std::string& name) {
-    return machine::load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+    return machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
 }
 
 /// Tips of a formula at poses spread over a machine's ranges.

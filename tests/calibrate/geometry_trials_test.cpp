@@ -16,6 +16,7 @@
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::calibrate::geometry_trials_test {
 namespace {
@@ -56,7 +57,7 @@ std::string geometry_of(const machine::Machine& machine) {
 /// Each geometry among the samples, by the name of the first file that has it.
 std::map<std::string, machine::Machine> sample_geometries() {
     std::map<std::string, machine::Machine> files, geometries;
-    for (const auto& entry : fs::directory_iterator(GSIM_SAMPLES "/machines")) {
+    for (const auto& entry : fs::directory_iterator(tests::source_path("samples/machines"))) {
         if (entry.path().extension() == ".toml")
             files[entry.path().stem().string()] = machine::load_machine(entry.path()).value();
     }

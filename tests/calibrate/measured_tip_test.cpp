@@ -6,12 +6,13 @@
 
 #include "calibrate/geometry/suggest.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::calibrate::measured_tip_test {
 namespace {
 
 machine::Machine mill() {
-    return machine::load_machine(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
+    return machine::load_machine(tests::source_path("samples/machines/mill-table-table.toml")).value();
 }
 
 std::string error_of(const std::string& list) {

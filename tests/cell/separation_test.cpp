@@ -7,6 +7,7 @@
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/machine/joint_box.h"
+#include "tests/build_files/build_files.h"
 #include "tests/cell/segments.h"
 
 namespace gsim::cell::separation_test {
@@ -50,7 +51,7 @@ TEST(Separation, HoldsInRandomParts) {
     std::uniform_real_distribution<double> unit(-1, 1);
     for (const char* file : {"arm6.toml", "mill-table-table.toml"}) {
         const machine::Machine machine =
-            machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + file).value();
+            machine::load_machine(tests::source_path("samples/machines/") + file).value();
         const auto kinematics = machine::make_kinematics(machine);
         const machine::JointBox box = machine::joint_box(machine);
         const Cell cell = cell_of_machine(machine).value();

@@ -13,6 +13,7 @@
 #include "runtime/kinematics/dh_chain.h"
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::check::axis_motion_test {
 namespace {
@@ -28,7 +29,7 @@ machine::Machine read(const std::string& axes) {
 }
 
 machine::Machine sample(const std::string& name) {
-    return machine::load_machine(GSIM_SAMPLES "/machines/" + name).value();
+    return machine::load_machine(tests::source_path("samples/machines/") + name).value();
 }
 
 std::string axis(char letter, const std::string& joint) {
@@ -114,7 +115,7 @@ TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
 }
 
 TEST(AxisMotion, NoSampleIsLeftHanded) {
-    for (const auto& entry : std::filesystem::directory_iterator(GSIM_SAMPLES "/machines")) {
+    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines"))) {
         const machine::Machine machine = machine::load_machine(entry.path()).value();
         EXPECT_THAT(find_left_handed(axis_motions(machine)), IsEmpty()) << entry.path();
     }

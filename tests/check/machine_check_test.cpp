@@ -6,6 +6,7 @@
 #include "base/text/json.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::check::machine_check_test {
 namespace {
@@ -14,7 +15,7 @@ using cell::Verdict;
 using testing::HasSubstr;
 
 machine::Machine sample(const std::string& name) {
-    return machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + name).value();
+    return machine::load_machine(tests::source_path("samples/machines/") + name).value();
 }
 
 MachineCheck check_of(const machine::Machine& machine) {

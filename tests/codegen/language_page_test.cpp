@@ -9,13 +9,14 @@
 
 #include "grammar/dialect.h"
 #include "lexer/names.h"
+#include "tests/build_files/build_files.h"
 #include "tests/codegen/translated.h"
 
 namespace gsim::codegen::language_page_test {
 namespace {
 
 TEST(LanguagePage, IsTheOneInTheDocuments) {
-    std::ifstream in(GSIM_SOURCE "/docs/language.md", std::ios::binary);
+    std::ifstream in(tests::source_path("docs/language.md"), std::ios::binary);
     ASSERT_TRUE(in) << "docs/language.md cannot be opened";
     const std::string page(std::istreambuf_iterator<char>(in), {});
     EXPECT_TRUE(page == language_page())

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tests/apps/canon_ends.h"
+#include "tests/build_files/build_files.h"
 #include "tests/conformance/canon_reader.h"
 #include "tests/conformance/compare.h"
 #include "tests/conformance/moves_reader.h"
@@ -76,9 +77,9 @@ TEST_F(TurnedArcs, AgreeWithLinuxCnc) {
         const std::string part = write("part.ngc", RandomPart(seed).text());
         const apps::Ended canon = apps::run_rs274(folder_, part);
         ASSERT_EQ(canon.status, 0) << seed << canon.err.substr(0, 2000);
-        const apps::Ended run =
-            gsim_run({part, "--dialect", "rs274ngc", "--machine",
-                      GSIM_SOURCE "/samples/machines/unlimited.toml", "--quiet", "--moves", "moves.jsonl"});
+        const apps::Ended run = gsim_run({part, "--dialect", "rs274ngc", "--machine",
+                                          tests::source_path("samples/machines/unlimited.toml"), "--quiet",
+                                          "--moves", "moves.jsonl"});
         ASSERT_EQ(run.status, 0) << seed << run.err;
         std::istringstream calls(canon.out), lines(read("moves.jsonl"));
         const auto expected = read_canon(calls);

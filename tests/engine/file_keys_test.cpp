@@ -13,6 +13,7 @@
 #include "runtime/cell/cell_file.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/engine/keyed_documents.h"
 
 namespace gsim::engine {
@@ -314,7 +315,7 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
 
 TEST(FileKeys, StandInThePagesOfTheirFiles) {
     const auto page = [](const std::string& name) {
-        std::ifstream file(GSIM_DOCS "/" + name);
+        std::ifstream file(tests::source_path("docs/") + name);
         return std::string(std::istreambuf_iterator<char>(file), {});
     };
     const std::string pages = page("machine-file.md") + page("cell-file.md");

@@ -8,6 +8,7 @@
 
 #include "base/text/json.h"
 #include "runtime/machine/machine_data_sections.h"
+#include "tests/build_files/build_files.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::machine_data_test {
@@ -57,7 +58,7 @@ TEST(MachineDataValues, SectionsAreThoseOfTheTableAndThePage) {
     const std::vector<MachineData::Section> sections = data_of().sections();
     ASSERT_EQ(sections.size(), machine::kDataSections.size());
     const machine::DataRules rules;
-    std::ifstream file(GSIM_DOCS "/machine-data.md");
+    std::ifstream file(tests::source_path("docs/machine-data.md"));
     const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     for (const machine::DataSection each : machine::kDataSections) {
         const MachineData::Section& section = sections[static_cast<std::size_t>(each)];

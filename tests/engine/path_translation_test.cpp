@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/run.h"
+#include "tests/build_files/build_files.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::path_translation_test {
@@ -56,7 +57,7 @@ TEST(PathTranslation, ItsProgramGoesTheWayOfThePath) {
 }
 
 std::string sample(const std::string& name) {
-    std::ifstream file(std::string(GSIM_SAMPLES "/") + name);
+    std::ifstream file(tests::source_path("samples/") + name);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/build_files/build_files.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::pose_test {
@@ -25,12 +26,12 @@ Machine machine_of(const std::string& file) {
 }
 
 Machine sample(const std::string& name) {
-    return machine_of(GSIM_SAMPLES "/machines/" + name);
+    return machine_of(tests::source_path("samples/machines/") + name);
 }
 
 std::vector<std::string> sample_names() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(GSIM_SAMPLES "/machines"))
+    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines")))
         names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -198,7 +199,7 @@ TEST(Poses, WhatIsBeyondARangeIsTold) {
 
 TEST(Poses, BodiesThatTouchAreNamedOnceTheyAreRead) {
     Request request;
-    request.cell = GSIM_SAMPLES "/cell/table.toml";
+    request.cell = tests::source_path("samples/cell/table.toml");
     Machine machine = Machine::read(request).value();
     PoseChoice in_clamp{.tip_mm = {{100, 400, 10}}};
     EXPECT_TRUE(pose_of(machine, in_clamp)->collisions.empty());

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
+#include "tests/build_files/build_files.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::run_test {
@@ -19,7 +20,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 std::string sample(const std::string& name) {
-    std::ifstream file(std::string(GSIM_SAMPLES) + "/" + name, std::ios::binary);
+    std::ifstream file(tests::source_path("samples/") + name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::envelope::tip_chain_test {
 namespace {
@@ -13,7 +14,7 @@ class TipOfSample : public testing::TestWithParam<const char*> {};
 
 // Joints that are left out, and joints that carry the work, make no difference.
 TEST_P(TipOfSample, IsThatOfForwardKinematics) {
-    const auto machine = machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + GetParam());
+    const auto machine = machine::load_machine(tests::source_path("samples/machines/") + GetParam());
     ASSERT_TRUE(machine) << machine.error();
     const auto kinematics = machine::make_kinematics(*machine);
     const machine::JointBox box = machine::joint_box(*machine);

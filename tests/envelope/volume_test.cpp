@@ -6,6 +6,7 @@
 
 #include "runtime/envelope/stl.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/envelope/chains.h"
 
 namespace gsim::envelope::volume_test {
@@ -51,7 +52,7 @@ void expect_tips_within(const TipChain& chain, const Volume& volume) {
 }
 
 TEST(Volume, ThreeSlidesHaveTheirExactBox) {
-    const auto machine = machine::load_machine(GSIM_SAMPLES "/machines/router3.toml");
+    const auto machine = machine::load_machine(tests::source_path("samples/machines/router3.toml"));
     const auto chain = envelope_chain(machine.value());
     ASSERT_TRUE(chain) << chain.error();
     const Volume volume = reached_volume(*chain);
@@ -98,7 +99,8 @@ TEST(Volume, ASlideTurnedAboutItsSideIsAPieceOfARing) {
 }
 
 TEST(Volume, ThereIsNoneWithoutEndOrWithoutMotion) {
-    machine::Machine machine = machine::load_machine(GSIM_SAMPLES "/machines/router3.toml").value();
+    machine::Machine machine =
+        machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     machine.axes[2].min = -std::numeric_limits<double>::infinity();
     EXPECT_EQ(envelope_chain(machine).error(), "there is no envelope: axis Z has a range without end");
     for (machine::Axis& axis : machine.axes) axis.min = axis.max = 0;

@@ -17,6 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/build_files/build_files.h"
+
 extern char** environ;
 
 namespace gsim::faults {
@@ -78,7 +80,8 @@ Start start_of(const Job& job, const Conditions& conditions, const fs::path& fol
     start.out = folder / "out";
     start.err = folder / "err";
     if (conditions.kind == Kind::count) return start;
-    start.environment.push_back(fmt::format("LD_PRELOAD={}", GSIM_FAULT_LIBRARY));
+    start.environment.push_back(
+        fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_faults.so")));
     // A sanitizer wants to be first; what is preloaded here does not stand in its way.
     start.environment.emplace_back("ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0");
     start.environment.push_back(fmt::format("{}={}", kTallyVariable, (folder / "tally").string()));
@@ -91,7 +94,7 @@ Start start_of(const Job& job, const Conditions& conditions, const fs::path& fol
 }  // namespace
 
 std::string program_path(const std::string& name) {
-    return fmt::format("{}/{}", GSIM_PROGRAMS, name);
+    return tests::build_path("bin/") + name;
 }
 
 std::string read_file(const fs::path& file) {

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::faults {
 
 namespace {
 
-const std::string kSamples = std::string(GSIM_SOURCE) + "/samples/";
+const std::string kSamples = tests::source_path("samples/");
 const std::string kWheel = kSamples + "wheel.nc";
 const Files kKept = {{"data.txt", "NCFILE\nVARIABLE\n500 7\nENDFILE\n"},
                      {"variables", "501\t19\n"},

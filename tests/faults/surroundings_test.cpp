@@ -11,6 +11,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "tests/build_files/build_files.h"
 #include "tests/faults/jobs.h"
 #include "tests/faults/sweep.h"
 
@@ -19,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kJumps = {fmt::format("LD_PRELOAD={}", GSIM_CLOCK_LIBRARY),
-                                         "ASAN_OPTIONS=verify_asan_link_order=0"};
+const std::vector<std::string> kJumps = {
+    fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_clocks.so")),
+    "ASAN_OPTIONS=verify_asan_link_order=0"};
 
 void expect_same(const Job& job, const Outcome& found, const Outcome& clean) {
     EXPECT_EQ(found.ended_by, "") << job.name;
@@ -159,8 +161,8 @@ std::vector<std::string> in_lost_folder(const std::vector<std::string>& command)
 }
 
 TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
-    const std::string wheel = std::string(GSIM_SOURCE) + "/samples/wheel.nc";
-    const std::string path = std::string(GSIM_SOURCE) + "/samples/wheel.path.json";
+    const std::string wheel = tests::source_path("samples/wheel.nc");
+    const std::string path = tests::source_path("samples/wheel.path.json");
     const InFolder folder({});
     const auto out = [&](const std::string& name) { return (folder.path() / name).string(); };
     const std::vector<std::vector<std::string>> absolute = {
@@ -192,7 +194,7 @@ TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
 // Two programs of different length, written by many runs under the same names: each file is one of theirs as
 // a whole.
 TEST(Folders, ManyAtOnceLeaveWholeFiles) {
-    const std::string samples = std::string(GSIM_SOURCE) + "/samples/";
+    const std::string samples = tests::source_path("samples/");
     const std::vector<std::vector<std::string>> commands = {
         {"gcode2lua", "PART", "-o", "part.lua"},
         {"gsim-run", "--quiet", "PART", "--moves", "moves", "--report", "report", "--record", "path"},

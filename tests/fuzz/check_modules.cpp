@@ -9,6 +9,7 @@
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_shell.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/small_run.h"
 
@@ -50,7 +51,8 @@ class Description {
 const std::shared_ptr<const rrs::RcsLibrary>& answers_library() {
     static const std::shared_ptr<const rrs::RcsLibrary> library = [] {
         const Description description(module_machine(), "");
-        auto loaded = rrs::RcsLibrary::load(GSIM_FUZZ_MODULES "/answers.so", description.get());
+        auto loaded =
+            rrs::RcsLibrary::load(tests::build_path("lib/fuzz_modules/answers.so"), description.get());
         if (!loaded) throw std::runtime_error(loaded.error());
         return *std::move(loaded);
     }();

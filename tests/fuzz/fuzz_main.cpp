@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/os/confinement.h"
+#include "tests/build_files/build_files.h"
 #include "tests/fuzz/target.h"
 
 namespace {
@@ -45,9 +46,11 @@ std::optional<std::string_view> value_of(std::string_view argument,
 /// files beside it cannot be opened.
 gsim::os::Allowed allowed_to(int argc, char** argv) {
     gsim::os::Allowed allowed;
-    for (const char* path : {GSIM_FUZZ_BESIDE, "/proc/self", "/dev/null"}) allowed.read.emplace_back(path);
+    allowed.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));
+    for (const char* path : {"/proc/self", "/dev/null"}) allowed.read.emplace_back(path);
     // The symbolizer of the sanitizers, and what it reads.
-    for (const char* folder : {GSIM_FUZZ_MODULES, "/usr", "/lib", "/lib64"}) allowed.run.emplace_back(folder);
+    allowed.run.emplace_back(gsim::tests::build_path("lib/fuzz_modules"));
+    for (const char* folder : {"/usr", "/lib", "/lib64"}) allowed.run.emplace_back(folder);
     std::error_code ignored;
     allowed.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
     bool is_first = true;

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::fuzz {
 namespace {
 
@@ -25,7 +27,7 @@ std::optional<std::string_view> behind_line_number(std::string_view text) {
 }  // namespace
 
 std::string name_beside(std::string_view ending) {
-    return fmt::format("{}/fuzz{}", GSIM_FUZZ_BESIDE, ending);
+    return tests::source_path("tests/fuzz/beside/fuzz").append(ending);
 }
 
 std::optional<std::string> fault_of_sentence(std::string_view error) {

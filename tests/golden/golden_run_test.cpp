@@ -14,15 +14,16 @@
 #include <gtest/gtest.h>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::golden_run_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = GSIM_GOLDEN_DIR;
-constexpr const char* kMachine = GSIM_SAMPLES_DIR "/machines/unlimited.toml";
-constexpr const char* kPrinter = GSIM_SAMPLES_DIR "/machines/klipper-fast-ext.toml";
+const fs::path kFolder = tests::source_path("tests/golden");
+const std::string kMachine = tests::source_path("samples/machines/unlimited.toml");
+const std::string kPrinter = tests::source_path("samples/machines/klipper-fast-ext.toml");
 
 std::vector<fs::path> scripts() {
     std::vector<fs::path> files;
@@ -49,7 +50,7 @@ TEST_P(GoldenRun, ReportsAsExpected) {
                                         : "conditions/ab9.lua";
     // Programs that go round for ever do so for a few blocks and steps.
     const apps::Ended run = apps::run_program(
-        GSIM_RUN,
+        tests::program_path("gsim-run"),
         {"--machine", klipper ? kPrinter : kMachine, "--machine-data", "conditions/data.txt", "--setup",
          setup, "--max-blocks", "2000", "--max-steps", "200000", "--json", GetParam().filename().string()},
         kFolder);

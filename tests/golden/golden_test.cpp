@@ -14,19 +14,20 @@
 #include <gtest/gtest.h>
 
 #include "codegen/translate.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::codegen::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = GSIM_GOLDEN_DIR;
+const fs::path kFolder = tests::source_path("tests/golden");
 constexpr std::string_view kNgc = ".ngc";
 constexpr std::string_view kKlipper = ".gcode";
 
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
-    for (const fs::path& folder : {kFolder, fs::path(GSIM_SAMPLES_DIR)}) {
+    for (const fs::path& folder : {kFolder, fs::path(tests::source_path("samples"))}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             const fs::path extension = entry.path().extension();
             if (extension == ".nc" || extension == kNgc || extension == kKlipper)

@@ -7,6 +7,7 @@
 
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::import::grbl_dump_test {
 namespace {
@@ -29,7 +30,8 @@ Imported import_text(const std::string& text) {
 
 TEST(GrblDump, TheRecordedMachineIsTheSample) {
     machine::Machine machine = import_text(kRouter).machine;
-    machine::Machine sample = machine::load_machine(GSIM_SAMPLES "/machines/grbl-router.toml").value();
+    machine::Machine sample =
+        machine::load_machine(tests::source_path("samples/machines/grbl-router.toml")).value();
     machine.name = sample.name;
     machine.program = sample.program;
     machine.process = sample.process;

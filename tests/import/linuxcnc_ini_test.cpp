@@ -15,6 +15,7 @@
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::import::linuxcnc_ini_test {
 namespace {
@@ -67,7 +68,7 @@ TEST(LinuxcncIni, TheRecordedMachinesAreTheSamples) {
                                     std::pair{"linuxcnc-router.toml", recorded(100, 1000, 200, 1000)}}) {
         machine::Machine machine = import_text(ini).machine;
         machine::Machine sample =
-            machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + name).value();
+            machine::load_machine(tests::source_path("samples/machines/") + name).value();
         machine.name = sample.name;
         machine.program = sample.program;
         machine.process = sample.process;

@@ -9,6 +9,7 @@
 
 #include "base/text/diagnostic_kind.h"
 #include "grammar/dialect.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::codes_test {
@@ -56,7 +57,7 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
 // Each alarm of the library has a code that other programs know: alarm("word-value", "F is ...").
 TEST(Codes, EachAlarmHasTheCodeOfADiagnostic) {
     std::size_t alarms = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(GSIM_SOURCE "/lua_lib")) {
+    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("lua_lib"))) {
         if (entry.path().extension() != ".lua") continue;
         std::ifstream file(entry.path());
         const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

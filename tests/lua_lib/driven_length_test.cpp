@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/ngc_run.h"
 
 namespace gsim::script::driven_length_test {
@@ -155,7 +156,7 @@ class DrivenLength : public testing::TestWithParam<const char*> {
     static bool rounds() { return is("linuxcnc-2.9") || is("blend"); }
 
     static Conditions conditions() {
-        std::ifstream file(GSIM_SOURCE "/samples/machines/linuxcnc-router.toml");
+        std::ifstream file(tests::source_path("samples/machines/linuxcnc-router.toml"));
         std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
         const std::string model = "model = \"linuxcnc-2.9\"";
         text.replace(text.find(model), model.size(), fmt::format("model = \"{}\"", GetParam()));
@@ -248,8 +249,8 @@ INSTANTIATE_TEST_SUITE_P(Models, DrivenLength,
 
 /// LinuxCNC 2.9 drives it: its recorded runs of such arcs have all turns.
 TEST(DrivenTurns, EvenNumbersOfThemAreNoLine) {
-    const auto machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/linuxcnc-router.toml");
+    const auto machine = machine::load_machine(
+        std::filesystem::path(tests::source_path("samples/machines/linuxcnc-router.toml")));
     for (int turns = 1; turns <= 6; ++turns) {
         Conditions setup = ngc_conditions();
         setup.machine = machine.value();

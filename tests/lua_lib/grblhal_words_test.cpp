@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/ngc_run.h"
 
 namespace gsim::script::grblhal_words_test {
@@ -13,7 +14,8 @@ constexpr double kGrid_mm = 0.003;  // half of a step of 0.004 mm in X and Y
 Conditions on(const std::string& machine) {
     Conditions setup = ngc_conditions();
     setup.machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines" / machine).value();
+        machine::load_machine(std::filesystem::path(tests::source_path("samples/machines")) / machine)
+            .value();
     return setup;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::klipper_test {
@@ -16,7 +17,7 @@ constexpr double kSame = 1e-9;
 
 Conditions on(const std::string& machine) {
     Conditions setup;
-    const std::filesystem::path folder = std::filesystem::path(GSIM_SOURCE) / "samples/machines";
+    const std::filesystem::path folder = std::filesystem::path(tests::source_path("samples/machines"));
     setup.machine = machine::load_machine(folder / ("klipper-" + machine + ".toml")).value();
     setup.options.dialect = "klipper";
     return setup;

@@ -8,6 +8,7 @@
 #include "codegen/translate.h"
 #include "grammar/dialect.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/library_folder.h"
 
 namespace gsim::script::library_files_test {
@@ -120,7 +121,7 @@ struct Program {
 };
 
 std::string sample(const std::string& name) {
-    std::ifstream file(GSIM_SOURCE "/samples/" + name);
+    std::ifstream file(tests::source_path("samples/") + name);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
@@ -152,7 +153,8 @@ Conditions busy_conditions(const std::string& dialect) {
     Conditions setup = with_tools();
     setup.options.dialect = dialect;
     setup.machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/unlimited.toml").value();
+        machine::load_machine(std::filesystem::path(tests::source_path("samples/machines/unlimited.toml")))
+            .value();
     setup.machine.process = machine::Process{.kind = machine::ProcessKind::laser,
                                              .on = {{.code = 62, .words = {{'P', 0}}}, {8, {}}, {3, {}}},
                                              .off = {{.code = 63, .words = {{'P', 0}}}, {9, {}}, {5, {}}},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/ngc_run.h"
 
 namespace gsim::script::linuxcnc_times_test {
@@ -22,9 +23,9 @@ class LinuxcncTimes : public testing::TestWithParam<Recorded> {};
 
 TEST_P(LinuxcncTimes, AreThoseRecorded) {
     Conditions setup = ngc_conditions();
-    setup.machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/linuxcnc-router.toml")
-            .value();
+    setup.machine = machine::load_machine(
+                        std::filesystem::path(tests::source_path("samples/machines/linuxcnc-router.toml")))
+                        .value();
     const Outcome run = run_ngc(std::string("G21 G90 G94 G17\n") + GetParam().program + "M2\n", setup);
     ASSERT_TRUE(run.completed()) << run.message();
     EXPECT_NEAR(run.report.cycle_time_s, GetParam().time_s, kNear_s);
@@ -74,9 +75,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 double feed_mm(const std::string& feed) {
     Conditions setup = ngc_conditions();
-    setup.machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/linuxcnc-router.toml")
-            .value();
+    setup.machine = machine::load_machine(
+                        std::filesystem::path(tests::source_path("samples/machines/linuxcnc-router.toml")))
+                        .value();
     const Outcome run = run_ngc("G21 G90 G17 G64 M3 S1000\n" + feed + "G1 X40\nY40\nX0\nM2\n", setup);
     EXPECT_TRUE(run.completed()) << run.message();
     return run.report.feed_mm;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script {
@@ -12,7 +13,8 @@ namespace gsim::script {
 inline Conditions ngc_conditions() {
     Conditions setup = with_tools();
     setup.machine =
-        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/unlimited.toml").value();
+        machine::load_machine(std::filesystem::path(tests::source_path("samples/machines/unlimited.toml")))
+            .value();
     setup.options.dialect = "rs274ngc";
     return setup;
 }

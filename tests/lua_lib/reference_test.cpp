@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::reference_test {
@@ -20,7 +21,7 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-const fs::path kSource = GSIM_SOURCE;
+const fs::path kSource = tests::source_path();
 
 // 129.99 s was worked out by hand, from each joint's own trapezoid: what own_ramps does.
 TEST(Reference, TheWheelOnTheCalibratedMachine) {

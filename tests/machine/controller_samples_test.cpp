@@ -12,6 +12,7 @@
 #include "base/os/input_file.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::machine::controller_samples_test {
 namespace {
@@ -22,7 +23,7 @@ using rrs::LinuxcncRelease;
 using rrs::PlannerKind;
 
 Machine sample(const std::string& name) {
-    return load_machine(GSIM_SAMPLES "/machines/" + name).value();
+    return load_machine(tests::source_path("samples/machines/") + name).value();
 }
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {
@@ -30,7 +31,8 @@ TEST(BuiltInControllers, AreThoseOfTheSamples) {
                 testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "linuxcnc-2.10", "grbl-1.1",
                                      "grblhal", "blend", "klipper"));
     for (const std::string_view name : built_in_controllers()) {
-        const auto file = os::read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
+        const auto file =
+            os::read_text_file(tests::source_path("samples/controllers/") + std::string(name) + ".toml");
         ASSERT_TRUE(file) << file.error();
         EXPECT_EQ(built_in_controller_toml(name), *file);
         EXPECT_EQ(built_in_controller(name).value().model, name);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::machine::link_shapes_test {
 namespace {
@@ -37,7 +38,7 @@ std::string shape(std::string_view name, std::string_view on, std::string_view f
 }
 
 TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
-    const std::string mesh = std::string(GSIM_SAMPLES) + "/cell/mould.stl";
+    const std::string mesh = tests::source_path("samples/cell/mould.stl");
     const std::string text =
         with(fmt::format("{}{}{}{}{}frame = {{ z_mm = 2.5, yaw_deg = 90 }}\n",
                          shape("bed", "base", "box_mm = [1, 2, 3.5]"),
@@ -64,7 +65,7 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
 
 TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
     const std::string text = with(shape("mould", "X", "mesh = \"../cell/mould.stl\""));
-    const auto machine = read_machine(text, std::string(GSIM_SAMPLES) + "/machines/m.toml");
+    const auto machine = read_machine(text, tests::source_path("samples/machines/m.toml"));
     ASSERT_TRUE(machine) << machine.error();
     EXPECT_TRUE(std::filesystem::exists(std::get<MeshShape>(machine->shapes[0].form).file));
 }

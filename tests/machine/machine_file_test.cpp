@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::machine::machine_file_test {
 namespace {
 
@@ -26,7 +28,7 @@ std::string with_axis_line(std::string_view line) {
 
 std::vector<std::string> sample_machines() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(GSIM_SAMPLES "/machines")) {
+    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines"))) {
         if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
     }
     std::sort(names.begin(), names.end());
@@ -36,7 +38,7 @@ std::vector<std::string> sample_machines() {
 class SampleMachine : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
-    const auto machine = load_machine(GSIM_SAMPLES "/machines/" + GetParam());
+    const auto machine = load_machine(tests::source_path("samples/machines/") + GetParam());
     ASSERT_TRUE(machine) << machine.error();
     const auto again = read_machine(print_machine(*machine), "printed");
     ASSERT_TRUE(again) << again.error();
@@ -71,7 +73,7 @@ TEST(MachineFile, BuiltInMachineIsTheSpecificationsTable) {
 }
 
 TEST(MachineFile, BuiltInMachineIsTheSampleByteForByte) {
-    const auto sample = load_machine(GSIM_SAMPLES "/machines/af5.toml");
+    const auto sample = load_machine(tests::source_path("samples/machines/af5.toml"));
     ASSERT_TRUE(sample) << sample.error();
     EXPECT_EQ(read_machine(built_in_machine_toml(), "").value(), *sample);
 }

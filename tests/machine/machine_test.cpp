@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::machine::machine_test {
 namespace {
@@ -50,7 +51,7 @@ TEST(Machine, BuiltInMachineIsTransRzRy) {
 }
 
 TEST(Machine, RouterMovesAlongTheWorldsAxes) {
-    const Machine machine = load_machine(GSIM_SAMPLES "/machines/router3.toml").value();
+    const Machine machine = load_machine(tests::source_path("samples/machines/router3.toml")).value();
     rrs::JointPos joints(3);
     joints << 10, 20, -30;
     const rrs::CartPos pose = make_kinematics(machine)->forward(joints);
@@ -61,7 +62,7 @@ TEST(Machine, RouterMovesAlongTheWorldsAxes) {
 // X Y Z carry the tip whatever the others do; A B C turn about it; U V W slide along what the rotary axes
 // carry.
 TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
-    const Machine machine = load_machine(GSIM_SAMPLES "/machines/unlimited.toml").value();
+    const Machine machine = load_machine(tests::source_path("samples/machines/unlimited.toml")).value();
     std::string letters;
     for (const Axis& axis : machine.axes) {
         letters += axis.letter;
@@ -92,7 +93,8 @@ TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
     std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
     for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router",
                                    "linuxcnc-2.10-gantry-pt0", "linuxcnc-2.10-router-pt1-jdef"}) {
-        const Machine machine = load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+        const Machine machine =
+            load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
         const auto kinematics = make_kinematics(machine);
         for (int i = 0; i < 100; ++i) {
             rrs::JointPos joints(5);

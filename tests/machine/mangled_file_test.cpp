@@ -7,6 +7,7 @@
 #include "base/os/input_file.h"
 #include "runtime/machine/machine_data.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/support/mangled_text.h"
 
 namespace gsim::machine::mangled_file_test {
@@ -33,7 +34,8 @@ TEST(MangledFile, MachineFile) {
 // With masses, drives and hoses.
 TEST(MangledFile, FileWithDynamics) {
     Random random(5);
-    const std::string whole = os::read_text_file(GSIM_SAMPLES "/machines/gantry-dynamics.toml").value();
+    const std::string whole =
+        os::read_text_file(tests::source_path("samples/machines/gantry-dynamics.toml")).value();
     for (int i = 0; i < 3000; ++i) {
         const std::string text = mangled(random, whole);
         const auto machine = read_machine(text, "f");
@@ -48,7 +50,8 @@ TEST(MangledFile, FileWithDynamics) {
 // Joints by frames on both sides.
 TEST(MangledFile, MillFile) {
     Random random(4);
-    const std::string whole = os::read_text_file(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
+    const std::string whole =
+        os::read_text_file(tests::source_path("samples/machines/mill-table-table.toml")).value();
     for (int i = 0; i < 3000; ++i) {
         const std::string text = mangled(random, whole);
         const auto machine = read_machine(text, "f");

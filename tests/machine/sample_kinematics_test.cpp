@@ -10,6 +10,7 @@
 
 #include "runtime/kinematics/chain.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/kinematics/kdl_chain.h"
 #include "tests/kinematics/random_pose.h"
 
@@ -21,7 +22,7 @@ using Eigen::Vector3d;
 using kinematics::apart;
 
 Machine sample(const std::string& name) {
-    return load_machine(GSIM_SAMPLES "/machines/" + name).value();
+    return load_machine(tests::source_path("samples/machines/") + name).value();
 }
 
 /// Joint values over all of the machine's ranges; two turns where there are none.

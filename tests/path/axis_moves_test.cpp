@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/merged_lines.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::path::axis_moves_test {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kTolerance_mm = 0.02;
 constexpr double kDigit_mm = 0.001;
 
 machine::Machine offset_head() {
-    return machine::load_machine(GSIM_SAMPLES "/machines/gantry-offset-head.toml").value();
+    return machine::load_machine(tests::source_path("samples/machines/gantry-offset-head.toml")).value();
 }
 
 struct Log : MoveSink {

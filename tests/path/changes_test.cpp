@@ -13,6 +13,7 @@
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/json_reader.h"
+#include "tests/build_files/build_files.h"
 #include "tests/path/random_path.h"
 
 namespace gsim::path::changes_test {
@@ -21,14 +22,14 @@ namespace {
 using testing::HasSubstr;
 
 machine::Machine read_sample(const std::string& name) {
-    std::ifstream file(std::string(GSIM_SAMPLES "/machines/") + name);
+    std::ifstream file(tests::source_path("samples/machines/") + name);
     std::stringstream text;
     text << file.rdbuf();
     return machine::read_machine(text.str(), name).value();
 }
 
 Program wheel() {
-    std::ifstream file(GSIM_SAMPLES "/wheel.path.json");
+    std::ifstream file(tests::source_path("samples/wheel.path.json"));
     std::stringstream text;
     text << file.rdbuf();
     return read_json(text.str(), "wheel").value().program;

@@ -9,6 +9,7 @@
 #include "codegen/post/post_file.h"
 #include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/way.h"
 
@@ -64,7 +65,7 @@ Program random_path(std::mt19937& random, const Vector3d& middle) {
 
 void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
     const machine::Machine machine =
-        machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, setup.machine)).value();
+        machine::load_machine(tests::source_path("samples/machines/") + setup.machine + ".toml").value();
     const codegen::Post post = codegen::find_post(setup.post).value();
     const double digits = 2 * setup.digit_mm + 400 * setup.digit_deg * std::numbers::pi / 180;
     engine::PathProgramOptions options;

@@ -9,6 +9,7 @@
 #include "codegen/post/post_file.h"
 #include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/random_path.h"
 #include "tests/path/way.h"
@@ -33,7 +34,7 @@ machine::Machine with_room(machine::Machine machine) {
 }
 
 machine::Machine without_rotary_axes() {
-    return with_room(machine::load_machine(GSIM_SAMPLES "/machines/router3.toml").value());
+    return with_room(machine::load_machine(tests::source_path("samples/machines/router3.toml")).value());
 }
 
 std::string written(const PathFile& file, const machine::Machine& machine, const codegen::Post& post,

@@ -10,6 +10,7 @@
 #include "runtime/path/keys.h"
 #include "runtime/path/target_draft.h"
 #include "runtime/path/touches.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::path::schema_test {
 namespace {
@@ -28,7 +29,7 @@ std::set<std::string> keys_of(const json& object) {
 }
 
 json schema() {
-    std::ifstream file(GSIM_SOURCE "/docs/path.schema.json");
+    std::ifstream file(tests::source_path("docs/path.schema.json"));
     return text::parse_json<json>(file);
 }
 

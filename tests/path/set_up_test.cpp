@@ -7,6 +7,7 @@
 #include "runtime/path/axis_moves.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::path::set_up_test {
 namespace {
@@ -39,7 +40,8 @@ std::string path(const std::string& name_and_keys, const std::string& targets) {
 
 /// What the moves of one path of a program tell, or why there are none.
 std::string told(const Program& program, std::size_t path, const MoveOptions& options = {}) {
-    const machine::Machine machine = machine::load_machine(GSIM_SAMPLES "/machines/router3.toml").value();
+    const machine::Machine machine =
+        machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     const MachineSpace space = MachineSpace::make(machine).value();
     const States states(program);
     const auto turns = plan_rotary(program, space, states, {}).value();

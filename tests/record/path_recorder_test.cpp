@@ -13,6 +13,7 @@
 #include "runtime/path/arc_shape.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 #include "tests/simulation/random_program.h"
 
 namespace gsim::record::path_recorder_test {
@@ -32,7 +33,7 @@ using testing::ElementsAre;
 
 machine::Machine sample(const std::string& name) {
     machine::Machine machine =
-        machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, name)).value();
+        machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
     machine.controller = {};  // rest to rest: moves end where they are programmed
     return simulation::unlimited(std::move(machine));
 }
@@ -355,7 +356,7 @@ TEST(PathRecorder, ToolCentrePointControlIsRefused) {
 }
 
 TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
-    RunOf run(machine::load_machine(GSIM_SAMPLES "/machines/arm6.toml").value());
+    RunOf run(machine::load_machine(tests::source_path("samples/machines/arm6.toml")).value());
     AxisVector target = run.simulator.position();
     target[0] += 20;
     target[3] += 10;

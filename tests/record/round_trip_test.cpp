@@ -11,6 +11,7 @@
 #include "runtime/path/json_writer.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 #include "tests/path/random_path.h"
 
 namespace gsim::record::round_trip_test {
@@ -32,7 +33,7 @@ class Record : public apps::Apps {
   protected:
     Ended path2gcode(std::vector<std::string> arguments, const std::string& input = {}) const {
         arguments.emplace_back("--quiet");
-        return apps::run_program(GSIM_PATH2GCODE, arguments, folder_, input);
+        return apps::run_program(tests::program_path("path2gcode"), arguments, folder_, input);
     }
     std::vector<json> moves(const std::string& name) const {
         std::istringstream text(read(name));
@@ -90,7 +91,7 @@ class Record : public apps::Apps {
     }
     // Runs, records, writes by each post, runs again.
     void expect_way_round(const std::string& part, const std::string& dialect, const std::vector<Way>& ways,
-                          const std::string& machine = GSIM_SAMPLES "/machines/af5.toml") {
+                          const std::string& machine = tests::source_path("samples/machines/af5.toml")) {
         const Ended first = gsim_run({part, "--dialect", dialect, "--machine", machine, "--quiet", "--moves",
                                       "first.jsonl", "--record", "first.path.json"});
         ASSERT_EQ(first.status, 0) << first.err;
@@ -213,7 +214,7 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     const std::string part = write("part.nc", "F1000 G0 X100\nCIP X120 I1=110 J1=8 K1=6\nM30\n");
     ASSERT_EQ(gsim_run({part, "--machine", machine, "--quiet", "--record", "part.path.json"}).status, 0);
     const auto post = [&](const std::string& arcs) {
-        std::string text = read(GSIM_SAMPLES "/posts/rs274ngc.toml");
+        std::string text = read(tests::source_path("samples/posts/rs274ngc.toml"));
         return write("own.toml", text.insert(text.find("turns ="), arcs));
     };
     const std::vector<std::string> common{"part.path.json", "--machine", machine, "--dialect"};
@@ -300,7 +301,7 @@ TEST_F(Record, ThreeAxesAlsoForGrbl) {
               "G21\nG0 X10 Y10 Z-5\no100 sub\nG1 Z[#1-9] F300\nG2 X10 Y10 I5 J0\nG0 Z-5\n"
               "o100 endsub\no100 call [1]\no100 call [2]\no100 call [2]\nM2\n");
     expect_way_round(part, "rs274ngc", {{"grbl", "rs274ngc"}, {"rs274ngc", "rs274ngc"}},
-                     GSIM_SAMPLES "/machines/router3.toml");
+                     tests::source_path("samples/machines/router3.toml"));
     const json program = text::parse_json<json>(read("first.path.json"));
     ASSERT_EQ(program["paths"].size(), 3U) << "two that differ, and the root";
     EXPECT_EQ(program["paths"][2]["targets"].back()["repeats"], 2);
@@ -348,7 +349,7 @@ TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
               "G21 G90 G0 X1000 Y1000 Z600 C0 A0\nG1 X1100 Y1020 C60 A30 F2000\nX1150 C10\n"
               "M8\nC80 F1500\nG1 A-20 C-40\nG93 G1 X1100 C20 F30\nG94 G1 X1000 F1000\nM2\n");
     expect_way_round(part, "rs274ngc", {{"rs274ngc", "rs274ngc"}, {"ab9", "ab9"}},
-                     GSIM_SAMPLES "/machines/gantry-offset-head.toml");
+                     tests::source_path("samples/machines/gantry-offset-head.toml"));
     const json program = text::parse_json<json>(read("first.path.json"));
     EXPECT_GT(program["paths"][0]["targets"].size(), 200U);
 }
@@ -384,7 +385,7 @@ TEST_F(Record, WithoutAPathThereIsNoFile) {
 }
 
 TEST_F(Record, TheWheelComesBackExactly) {
-    expect_way_round(GSIM_SAMPLES "/wheel.nc", "ab9", kAllAxes);
+    expect_way_round(tests::source_path("samples/wheel.nc"), "ab9", kAllAxes);
     EXPECT_EQ(text::parse_json<json>(read("first.path.json"))["paths"].size(), 4U);
 }
 

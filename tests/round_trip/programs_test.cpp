@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/roundtrip_generator.h"
 #include "tests/lua_lib/roundtrip_text.h"
 #include "tests/round_trip/random_modes.h"
@@ -44,7 +45,8 @@ class RoundTrip : public apps::Apps {
 
 TEST_F(RoundTrip, SamplesAndGoldenPrograms) {
     int written = 0;
-    for (const fs::path& folder : {fs::path(GSIM_SAMPLES), fs::path(GSIM_GOLDEN)}) {
+    for (const fs::path& folder :
+         {fs::path(tests::source_path("samples")), fs::path(tests::source_path("tests/golden"))}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             const bool ngc = entry.path().extension() == ".ngc";
             if (!ngc && entry.path().extension() != ".nc") continue;

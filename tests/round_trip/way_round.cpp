@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::round_trip {
 
 namespace fs = std::filesystem;
@@ -84,7 +86,7 @@ apps::Ended WayRound::gsim_run(const std::string& program, const std::string& di
         "--machine-data", "data.txt",     "--quiet",      "--moves",   name + ".jsonl",
         "--report",       name + ".json", "--max-blocks", "100000"};
     if (record) arguments.insert(arguments.end(), {"--record", "path.json"});
-    return apps::run_program(GSIM_RUN, arguments, folder_);
+    return apps::run_program(tests::program_path("gsim-run"), arguments, folder_);
 }
 
 RunRecord WayRound::read(const std::string& name) const {
@@ -109,7 +111,7 @@ Outcome WayRound::end(const Way& way, const std::vector<std::string>& options) c
     std::vector<std::string> arguments{"path.json",         "--dialect", way.post,  "--machine",
                                        machine(kExactStop), "-o",        "again.nc"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const apps::Ended written = apps::run_program(GSIM_PATH2GCODE, arguments, folder_);
+    const apps::Ended written = apps::run_program(tests::program_path("path2gcode"), arguments, folder_);
     if (written.status != 0) return {Ending::not_written, {}, written.err, false};
     const apps::Ended again = gsim_run("again.nc", way.dialect, "again", kExactStop, false);
     if (again.status != 0) return {Ending::not_run, {}, again.err, false};

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "runtime/rrs/rcs_shell.h"
+#include "tests/build_files/build_files.h"
 #include "tests/rrs/test_module.h"
 
 namespace gsim::rrs::rcs_process_test {
@@ -40,7 +41,7 @@ std::string own_path(const std::string& name) {
 }
 
 RcsModule begin(const std::string& name, RcsProcessLimits limits = kSmall) {
-    return begin_rcs_process(GSIM_RCS_HOST, own_path(name), slides(), limits).value();
+    return begin_rcs_process(tests::program_path("gsim-rcs-host"), own_path(name), slides(), limits).value();
 }
 
 /// The processes that were begun for a module, with those that it has begun itself.

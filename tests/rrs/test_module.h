@@ -8,12 +8,13 @@
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/rrs/rcs_process.h"
 #include "runtime/rrs/rcs_values.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::rrs {
 
 /// The path of one of the modules in tests/rrs/modules.
 inline std::string module_path(const std::string& name) {
-    return fmt::format("{}/{}.so", GSIM_TEST_MODULES, name);
+    return tests::build_path("lib/test_modules/") + name + ".so";
 }
 
 /// Three slides without limits but of rapid speed.
@@ -42,7 +43,7 @@ inline tl::expected<RcsModule, std::string> module_at(Place place, const std::st
                                                       RcsProcessLimits limits = {}) {
     const gsim_rcs_machine machine = slides();
     if (place == Place::own_process)
-        return begin_rcs_process(GSIM_RCS_HOST, module_path(name), machine, limits);
+        return begin_rcs_process(tests::program_path("gsim-rcs-host"), module_path(name), machine, limits);
     auto library = RcsLibrary::load(module_path(name), machine, limits.answer_ms);
     if (!library) return tl::unexpected(library.error());
     return RcsModule::create(*library, machine);

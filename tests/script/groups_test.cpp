@@ -12,6 +12,7 @@
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::groups_test {
@@ -32,7 +33,7 @@ const std::string kToTheRim = "MoveJoint{x=200, y=0, z=10, yaw=180}\n";
 
 Conditions in_the_cell(rrs::PlannerKind planner = rrs::PlannerKind::rest_to_rest) {
     Conditions conditions;
-    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/arm6-cell.toml").value();
+    conditions.machine = machine::load_machine(tests::source_path("samples/machines/arm6-cell.toml")).value();
     conditions.machine.controller.planner = planner;
     return conditions;
 }
@@ -191,7 +192,7 @@ TEST(Groups, ASynchronousTrackLeavesTheArmItsOwnLine) {
 
 // A ring in four quarters under a torch that stands, and a seam along the rail with an arm that stands.
 TEST(Groups, TheSampleTakesWhatGeometrySays) {
-    std::ifstream file(GSIM_SAMPLES "/cell/seam.lua");
+    std::ifstream file(tests::source_path("samples/cell/seam.lua"));
     const GroupRun r(std::string(std::istreambuf_iterator<char>(file), {}));
     ASSERT_TRUE(r.run.completed()) << r.run.message();
     ASSERT_EQ(r.run.moves.size(), 8U);
@@ -354,7 +355,8 @@ TEST(Groups, WhatCannotBeIsSaid) {
 // Where a closed inverse finds all axes, words lead those of groups, and G43.4 coordinates them.
 TEST(Groups, AMillsTableIsLedByWords) {
     Conditions conditions;
-    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
+    conditions.machine =
+        machine::load_machine(tests::source_path("samples/machines/mill-table-table.toml")).value();
     conditions.machine.groups.push_back({"table", {3, 4}});
     EXPECT_TRUE(run_lua("F(600) G1{x=10, c=20}", conditions).completed());
     expect_alarm(run_lua("group('table').coordinated()", conditions), "G43.4 coordinates all axes");

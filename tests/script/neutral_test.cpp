@@ -6,6 +6,7 @@
 
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::neutral_test {
@@ -110,7 +111,7 @@ TEST(Neutral, APoseOutOfReachIsAnAlarm) {
 
 Conditions with_machine(const std::string& name) {
     Conditions conditions;
-    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/" + name).value();
+    conditions.machine = machine::load_machine(tests::source_path("samples/machines/") + name).value();
     return conditions;
 }
 

@@ -7,6 +7,7 @@
 
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::tip_control_test {
@@ -16,7 +17,8 @@ using Eigen::Vector3d;
 
 Conditions on(const std::string& machine) {
     Conditions conditions;
-    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/" + machine + ".toml").value();
+    conditions.machine =
+        machine::load_machine(tests::source_path("samples/machines/") + machine + ".toml").value();
     return with_tools(conditions);
 }
 

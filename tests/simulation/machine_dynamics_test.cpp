@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "runtime/machine/machine_file.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::simulation::machine_dynamics_test {
 namespace {
@@ -40,7 +41,7 @@ TEST(MachineDynamics, NoneWithoutTheTable) {
 }
 
 TEST(MachineDynamics, SampleGantryIsItsFigures) {
-    const auto machine = machine::load_machine(GSIM_SAMPLES "/machines/gantry-dynamics.toml");
+    const auto machine = machine::load_machine(tests::source_path("samples/machines/gantry-dynamics.toml"));
     ASSERT_TRUE(machine) << machine.error();
     const auto dynamics = make_dynamics(*machine).value();
     const double bridge = 0.16 * 1.6 * 0.22 * 2100;

@@ -11,6 +11,7 @@
 
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 #include "tests/rrs/test_module.h"
 #include "tests/simulation/test_segments.h"
 
@@ -27,7 +28,7 @@ using rrs::Place;
 rrs::RcsModule module_of(Place place, const std::string& path, const machine::Machine& machine) {
     const rcs::RcsMachine described(setup_of_machine(machine));
     if (place == Place::own_process)
-        return rrs::begin_rcs_process(GSIM_RCS_HOST, path, described.get()).value();
+        return rrs::begin_rcs_process(tests::program_path("gsim-rcs-host"), path, described.get()).value();
     auto library = rrs::RcsLibrary::load(path, described.get());
     if (!library) throw std::runtime_error(library.error());
     return rrs::RcsModule::create(*library, described.get()).value();
@@ -269,7 +270,8 @@ TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine.controller.planner = kind;
     machine.controller.rest_s = 0.01;
     Simulator in_process(machine, {});
-    Simulator stepped(machine, {}, module_of(place, GSIM_RCS_DEFAULT, machine));
+    Simulator stepped(machine, {},
+                      module_of(place, tests::build_path("lib/libgsim_rcs_default.so"), machine));
     put_program(in_process);
     put_program(stepped);
     const Report exact = in_process.finish("p");

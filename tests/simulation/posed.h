@@ -11,6 +11,7 @@
 #include "runtime/motion/default_planner.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::simulation {
 
@@ -36,7 +37,7 @@ frame = { x_mm = 5.0, z_mm = -80.0 }
 )";
 
 inline machine::Machine sample(const std::string& name) {
-    return machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, name)).value();
+    return machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
 }
 
 /// A planner that makes lines to poses, and the frames of its cell.

@@ -9,6 +9,7 @@
 
 #include "runtime/machine/machine_file.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::simulation::rcs_machine_test {
 namespace {
@@ -27,7 +28,7 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
     for (const std::string name : {"af5", "router3", "gantry-offset-head", "mill-head-table",
                                    "mill-table-table", "arm6", "unlimited"}) {
         const machine::Machine machine =
-            machine::load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+            machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
         const motion::PlannerSetup setup = setup_of_machine(machine);
         const rcs::RcsMachine described(setup);
         const auto told = rcs::setup_of_rcs_machine(described.get());

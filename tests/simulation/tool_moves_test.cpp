@@ -14,6 +14,7 @@
 #include "runtime/motion/default_planner.h"
 #include "runtime/motion/tool_path.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::motion::tool_moves_test {
 namespace {
@@ -29,7 +30,7 @@ constexpr double kRounding_mm = 1e-6;
 
 PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::rest_to_rest) {
     machine::Machine machine =
-        machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, name)).value();
+        machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
     machine.controller.planner = planner;
     machine.controller.corner = rrs::CornerRule::velocity_step;
     return simulation::setup_of_machine(machine);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tests/apps/run_program.h"
+#include "tests/build_files/build_files.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::apps::program_test {
@@ -12,7 +13,7 @@ namespace {
 class SolidProgram : public Apps {
   protected:
     Ended autopath(const std::vector<std::string>& arguments) const {
-        return run_program(GSIM_AUTOPATH, arguments, folder_);
+        return run_program(tests::program_path("autopath"), arguments, folder_);
     }
     std::string step(const std::string& name, const TopoDS_Shape& shape) const {
         return solids_.step(name, shape).string();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::apps {
 
 std::vector<solid::models::Jet> SurfaceProgram::jets(const std::string& step, const Eigen::Vector3d& at,
@@ -11,10 +13,11 @@ std::vector<solid::models::Jet> SurfaceProgram::jets(const std::string& step, co
                                        "--at"};
     for (const double value : at) arguments.push_back(fmt::format("{}", value));
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const Ended path = run_program(GSIM_AUTOPATH, arguments, folder_);
+    const Ended path = run_program(tests::program_path("autopath"), arguments, folder_);
     EXPECT_EQ(path.status, 0) << path.err;
     told_ = path.err;
-    const Ended program = run_program(GSIM_PATH2GCODE, {"part.path.json", "-o", "part.nc"}, folder_);
+    const Ended program =
+        run_program(tests::program_path("path2gcode"), {"part.path.json", "-o", "part.nc"}, folder_);
     EXPECT_EQ(program.status, 0) << program.err;
     const std::string own_cell = write("cell.toml", fmt::format(R"(ignore = [["jet", "part"]]
 [cell]
@@ -37,7 +40,7 @@ Ended SurfaceProgram::autopath(const std::string& step, const std::vector<std::s
                                const std::string& kerf) const {
     std::vector<std::string> arguments{step, "--kerf", kerf, "--speed", "400", "-o", "part.path.json"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_program(GSIM_AUTOPATH, arguments, folder_);
+    return run_program(tests::program_path("autopath"), arguments, folder_);
 }
 
 void SurfaceProgram::expect_cut(const std::string& what, const Points& points,
@@ -50,7 +53,7 @@ void SurfaceProgram::expect_cut(const std::string& what, const Points& points,
 }
 
 std::string SurfaceProgram::sample(const std::string& name) {
-    return std::string(GSIM_SOURCE) + "/samples/" + name;
+    return tests::source_path("samples/") + name;
 }
 
 Points along(const std::function<Eigen::Vector3d(double)>& curve, int count) {

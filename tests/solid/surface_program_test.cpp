@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "tests/build_files/build_files.h"
 #include "tests/solid/part_models.h"
 #include "tests/solid/solids.h"
 #include "tests/solid/wheel_way.h"
@@ -214,7 +215,8 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     EXPECT_FALSE(exists("part.path.json"));
     // Out of reach: X ends at 1828.8 mm.
     EXPECT_EQ(autopath(bracket, {"--contours", "holes", "--at", "1850", "600", "120"}).status, 0);
-    const Ended far = run_program(GSIM_PATH2GCODE, {"part.path.json", "-o", "part.nc"}, folder_);
+    const Ended far =
+        run_program(tests::program_path("path2gcode"), {"part.path.json", "-o", "part.nc"}, folder_);
     EXPECT_NE(far.status, 0);
     EXPECT_TRUE(holds(far.err, "X")) << far.err;
 }
@@ -222,7 +224,7 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
 TEST_F(SurfaceProgram, AScriptChoosesContours) {
     const auto autopath = [&](const std::string& script) {
         write("choose.lua", script);
-        return run_program(GSIM_AUTOPATH,
+        return run_program(tests::program_path("autopath"),
                            {sample("parts/bracket.step"), "--contours", "holes", "--choose", "choose.lua",
                             "--kerf", "0.8", "--speed", "400", "-o", "part.path.json"},
                            folder_);
@@ -237,7 +239,8 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     EXPECT_EQ(none.status, 1);
     EXPECT_TRUE(holds(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
     EXPECT_FALSE(exists("part.path.json"));
-    const Ended lonely = run_program(GSIM_AUTOPATH, {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
+    const Ended lonely = run_program(tests::program_path("autopath"),
+                                     {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
     EXPECT_TRUE(holds(lonely.err, "--choose needs --contours")) << lonely.err;
 }
 
@@ -246,7 +249,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
     for (std::size_t at = 0; (at = text.find("ADVANCED_FACE(''", at)) != std::string::npos; at += 20)
         text.replace(at, 16, "ADVANCED_FACE('sheet'");
     const std::string named = write("named.step", text);
-    const Ended ended = run_program(GSIM_AUTOPATH,
+    const Ended ended = run_program(tests::program_path("autopath"),
                                     {named, "--contours", "holes", "--face", "sheet", "--kerf", "0.8",
                                      "--speed", "400", "-o", "part.path.json"},
                                     folder_);
@@ -258,7 +261,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
     std::string text = solid::read_file(sample("parts/bracket.step"));
     // The face of a hole, as it is called in a refusal.
     const auto run = [&](const std::string& file, const std::string& face) {
-        return run_program(GSIM_AUTOPATH,
+        return run_program(tests::program_path("autopath"),
                            {file, "--contours", "holes", "--face", face, "--box-low", "-45", "0", "0",
                             "--kerf", "19", "--speed", "400", "-o", "part.path.json"},
                            folder_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "studio/engine/session.h"
+#include "tests/build_files/build_files.h"
 #include "tests/studio/frames.h"
 
 namespace gsim::studio {
@@ -47,7 +48,7 @@ inline std::string failure_of(const std::string& asked, const Files& files = {})
 
 /// A file of samples/.
 inline std::string sample(const std::string& name) {
-    std::ifstream file(GSIM_SAMPLES "/" + name);
+    std::ifstream file(tests::source_path("samples/") + name);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

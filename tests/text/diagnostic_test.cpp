@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/build_files/build_files.h"
+
 namespace gsim::text::diagnostic_test {
 namespace {
 
@@ -71,7 +73,7 @@ TEST(DiagnosticKind, EachHasACodeOfItsOwnInTheOrderOfTheEnumeration) {
 }
 
 TEST(DiagnosticKind, TheDocumentationListsThem) {
-    std::ifstream file(GSIM_SOURCE "/docs/diagnostics.md");
+    std::ifstream file(tests::source_path("docs/diagnostics.md"));
     std::ostringstream page;
     page << file.rdbuf();
     std::string table = "| code | what is told |\n| --- | --- |\n";

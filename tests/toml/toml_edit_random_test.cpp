@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/toml/toml_edit.h"
+#include "tests/build_files/build_files.h"
 
 namespace gsim::base {
 namespace {
@@ -23,7 +24,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 std::vector<std::filesystem::path> samples() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(GSIM_SAMPLES)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(tests::source_path("samples"))) {
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());

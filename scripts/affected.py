@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Says what a change can break: what differs between the working tree and a commit, and what includes it.
+
+Usage: affected.py files SINCE      the files that changed, new ones included and deleted ones too
+       affected.py changed SINCE    the C++ sources that changed
+       affected.py sources SINCE    the C++ sources that changed, and those that include a header that has
+       affected.py headers SINCE    one C++ source for each header that changed: the header itself is looked at once
+       affected.py tests SINCE      the folders of tests (tests/NAME) of the folders with changed sources, and of those that include them
+       affected.py readers SINCE    the fuzz targets of the readers in these folders
+
+SINCE `all`: everything. A change of how everything is built (CMakeLists.txt, cmake/) is one of everything for `tests` and `readers`."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+SOURCE = re.compile(r".*\.(cpp|h|def|l|y|lua)|.+/CMakeLists\.txt")
+BUILD = re.compile(r"CMakeLists\.txt|CMakePresets\.json|cmake/.*")
+
+
+def git(*words):
+    return subprocess.run(["git", *words], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def tracked(*patterns):
+    return [name for name in git("ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns) if Path(name).exists()]
+
+
+def changed_files(since):
+    """All names that differ, deleted ones too."""
+    if since == "all":
+        return tracked()
+    return sorted({*git("diff", "--name-only", since, "--"), *git("ls-files", "--others", "--exclude-standard")})
+
+
+def includes():
+    """What each of our own C++ files includes of ours, by name."""
+    return {name: set(INCLUDE.findall(Path(name).read_text(encoding="utf-8"))) for name in tracked("*.cpp", "*.h")}
+
+
+def including(headers, graph):
+    return {name for name, used in graph.items() if used & headers}
+
+
+def changed_sources(since):
+    graph = includes()
+    changed = set(changed_files(since))
+    return sorted(name for name in (changed & set(graph)) | including(changed, graph) if name.endswith(".cpp"))
+
+
+def one_for_each_header(since):
+    graph = includes()
+    found = set()
+    for header in changed_files(since):
+        users = sorted(name for name in including({header}, graph) if name.endswith(".cpp") and not name.startswith("tests/"))
+        found.update(users[:1])
+    return sorted(found)
+
+
+def folder(name):
+    return str(Path(name).parent)
+
+
+def affected_folders(since):
+    """Folders with changed sources, and those with a source that includes a header of such a folder."""
+    graph = includes()
+    changed = {folder(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
+    return changed | {folder(name) for name, used in graph.items() if any(folder(header) in changed for header in used)}
+
+
+def is_of_all(since):
+    return since == "all" or any(BUILD.fullmatch(name) for name in changed_files(since))
+
+
+def test_folders():
+    return sorted(folder(name) for name in tracked("tests/*/CMakeLists.txt") if name.count("/") == 2)
+
+
+def tests_of(folders):
+    """Of a folder the tests are those of its name; where there are none, those that include it."""
+    known = test_folders()
+    found = set()
+    uses = {test: {folder(header) for name in tracked(f"{test}/*.cpp", f"{test}/*.h") for header in INCLUDE.findall(Path(name).read_text(encoding="utf-8"))}
+            for test in known}
+    for one in folders:
+        own = [test for test in known if one == test or one.startswith(test + "/") or Path(one).name == Path(test).name]
+        found.update(own or [test for test in known if one in uses[test]])
+    return sorted(found)
+
+
+def readers_of(folders, is_all):
+    """Targets whose check is changed or includes a header of these folders (tests/fuzz/targets.cpp names the check of each)."""
+    targets = re.findall(r'Target\{"(\w+)", "\w+", (\w+)', Path("tests/fuzz/targets.cpp").read_text(encoding="utf-8"))
+    found = []
+    for check in tracked("tests/fuzz/check_*.cpp"):
+        text = Path(check).read_text(encoding="utf-8")
+        used = {folder(header) for header in INCLUDE.findall(text)} - {"tests/fuzz", "tests/build_files"}
+        if is_all or used & folders:
+            found += [name for name, function in targets if re.search(rf"^Outcome {function}\(", text, re.MULTILINE)]
+    return sorted(found)
+
+
+def main():
+    what, since = sys.argv[1:]
+    if what == "files":
+        found = changed_files(since)
+    elif what == "changed":
+        found = [name for name in changed_files(since) if name.endswith(".cpp") and Path(name).exists()]
+    elif what == "sources":
+        found = changed_sources(since)
+    elif what == "headers":
+        found = one_for_each_header(since)
+    elif what == "tests":
+        found = test_folders() if is_of_all(since) else tests_of(affected_folders(since))
+    elif what == "readers":
+        changed = {folder(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
+        found = readers_of(changed, is_of_all(since) or "tests/fuzz" in changed)
+    else:
+        sys.exit(__doc__)
+    print(*found, sep="\n", end="\n" if found else "")
+
+
+if __name__ == "__main__":
+    main()
