@@ -72,6 +72,9 @@ class OnSlurm(unittest.TestCase):
         cls.batch("plan.toml", "--results", "local.sqlite", "-q")
         cls.wanted = rows(cls.work / "local.sqlite")
 
+    def setUp(self):
+        self.hurried = set()
+
     @classmethod
     def tearDownClass(cls):
         cls.cluster("stop")
@@ -117,17 +120,31 @@ class OnSlurm(unittest.TestCase):
         self.until(lambda: self.hurry() and " 0 running, 0 waiting" in self.batch("--status", "--results", results)[1])
 
     def hurry(self):
-        """Tasks that Slurm puts back wait for two minutes, and those that a lost node could not begin until an administrator releases them."""
+        """Tasks that Slurm puts back wait for two minutes, and those that a lost node could not begin until an administrator releases them.
+        Of a task that begins in the second in which it was put back a node refuses the credential as revoked, and the task has failed."""
+        waiting = set()
         for line in self.slurm("squeue", "--noheader", "--array", "--states=PENDING", "--format=%i|%r").splitlines():
             job, reason = line.strip().split("|")
-            command = ["release", job] if "held" in reason else ["update", "JobId=" + job, "StartTime=now"] if reason == "BeginTime" else None
+            if "held" in reason:
+                command = ["release", job]
+            elif reason == "BeginTime" and job not in self.hurried:
+                command = ["update", "JobId=" + job, "StartTime=now+2seconds"]
+            else:
+                command = None
+            if reason == "BeginTime":
+                waiting.add(job)
             if command:
                 subprocess.run(["scontrol", *command], env=self.environment(), capture_output=True, check=False, timeout=60)
+        self.hurried = waiting
         return True
+
+    def logs(self, results):
+        """What the tasks of a batch printed."""
+        return "\n".join(f"{file.name}:\n{file.read_text()}" for file in sorted((self.work / (results + ".slurm")).glob("*.log")))
 
     def check(self, results):
         found = rows(self.work / results)
-        self.assertEqual(sorted(found), sorted(self.wanted))
+        self.assertEqual(sorted(found), sorted(self.wanted), self.logs(results))
         for job, row in self.wanted.items():
             self.assertEqual(found[job], row)
         self.assertEqual(number(self.work / results, "SELECT count(*) - count(DISTINCT key) FROM run"), 0, "a run is there twice")
