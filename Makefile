@@ -9,12 +9,13 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test test-all setup build bench accuracy calibration coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
+.PHONY: help run test check test-all setup build bench accuracy calibration coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
 
 help:
 	@echo 'make run      build gcode2lua and gsim-run alone, translate samples/wheel.nc, show the Lua, simulate it'
 	@echo 'make test     build everything and run all tests'
-	@echo 'make test-all the same, and faults at every place instead of a sample of them'
+	@echo 'make check    the checks that uncommitted and unpushed changes touch, cheapest first, up to the first failure'
+	@echo 'make test-all the same as make test, and faults at every place instead of a sample of them'
 	@echo 'make setup    install the Debian packages that building the programs takes'
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
@@ -50,6 +51,9 @@ test:
 	@scripts/setup.sh test
 	@$(call build_into,release)
 	@scripts/test.sh build --parallel $(JOBS)
+
+check:
+	@scripts/check.sh touched
 
 wasm: build
 	@scripts/setup.sh wasm

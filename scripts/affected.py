@@ -8,7 +8,7 @@ Usage: affected.py files SINCE      the files that changed, new ones included an
        affected.py tests SINCE      the folders of tests (tests/NAME) of the folders with changed sources, and of those that include them
        affected.py readers SINCE    the fuzz targets of the readers in these folders
 
-SINCE `all`: everything. A change of how everything is built (CMakeLists.txt, cmake/) is one of everything for `tests` and `readers`."""
+SINCE `all`: everything."""
 
 import re
 import subprocess
@@ -17,7 +17,6 @@ from pathlib import Path
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 SOURCE = re.compile(r".*\.(cpp|h|def|l|y|lua)|.+/CMakeLists\.txt")
-BUILD = re.compile(r"CMakeLists\.txt|CMakePresets\.json|cmake/.*")
 
 
 def git(*words):
@@ -70,10 +69,6 @@ def affected_folders(since):
     return changed | {folder(name) for name, used in graph.items() if any(folder(header) in changed for header in used)}
 
 
-def is_of_all(since):
-    return since == "all" or any(BUILD.fullmatch(name) for name in changed_files(since))
-
-
 def test_folders():
     return sorted(folder(name) for name in tracked("tests/*/CMakeLists.txt") if name.count("/") == 2)
 
@@ -91,12 +86,12 @@ def tests_of(folders):
 
 
 def readers_of(folders, is_all):
-    """Targets whose check is changed or includes a header of these folders (tests/fuzz/targets.cpp names the check of each)."""
+    """Targets whose check includes a header of these folders, or is among them (tests/fuzz/targets.cpp names the check of each)."""
     targets = re.findall(r'Target\{"(\w+)", "\w+", (\w+)', Path("tests/fuzz/targets.cpp").read_text(encoding="utf-8"))
     found = []
     for check in tracked("tests/fuzz/check_*.cpp"):
         text = Path(check).read_text(encoding="utf-8")
-        used = {folder(header) for header in INCLUDE.findall(text)} - {"tests/fuzz", "tests/build_files"}
+        used = {folder(header) for header in INCLUDE.findall(text) if not header.startswith("tests/")} | {check}
         if is_all or used & folders:
             found += [name for name, function in targets if re.search(rf"^Outcome {function}\(", text, re.MULTILINE)]
     return sorted(found)
@@ -113,10 +108,11 @@ def main():
     elif what == "headers":
         found = one_for_each_header(since)
     elif what == "tests":
-        found = test_folders() if is_of_all(since) else tests_of(affected_folders(since))
+        found = test_folders() if since == "all" else tests_of(affected_folders(since))
     elif what == "readers":
-        changed = {folder(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
-        found = readers_of(changed, is_of_all(since) or "tests/fuzz" in changed)
+        files = [name for name in changed_files(since) if SOURCE.fullmatch(name)]
+        changed = {folder(name) for name in files} | {name for name in files if name.startswith("tests/fuzz/check_")}
+        found = readers_of(changed, since == "all")
     else:
         sys.exit(__doc__)
     print(*found, sep="\n", end="\n" if found else "")

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Fuzzes the targets, one or all of them; what breaks a promise is left in tests/fuzz/findings/TARGET, where fuzz_regressions looks too.
-# Usage: tests/fuzz/run.sh BUILD-FOLDER SECONDS [TARGET]
+# Usage: tests/fuzz/run.sh BUILD-FOLDER SECONDS [TARGETS]
 # In the environment: JOBS (how many targets at once), RECORD=1 (adds the figures of the run to tests/fuzz/RESULTS.md), SEED (that of
 # the mutations: 0, the default, is another one each time).
 # A run goes on with the inputs that the ones before have left in BUILD-FOLDER/fuzz-corpus.
@@ -47,10 +47,16 @@ if [[ ${4:-} ]]; then
 fi
 
 list=$("$build/bin/gsim-fuzz")
-[[ $wanted ]] && list=$(grep "^$wanted " <<<"$list")
-if [[ ! $list ]]; then
-    echo "tests/fuzz/run.sh: there is no target '$wanted'; there are:" "$("$build/bin/gsim-fuzz" | cut -d ' ' -f 1 | tr '\n' ' ')"
-    exit 2
+all=$list
+if [[ $wanted ]]; then
+    list=""
+    for name in $wanted; do
+        list+=$(grep "^$name " <<<"$all")$'\n' || {
+            echo "tests/fuzz/run.sh: there is no target '$name'; there are:" "$(cut -d ' ' -f 1 <<<"$all" | tr '\n' ' ')"
+            exit 2
+        }
+    done
+    list=${list%$'\n'}
 fi
 rm -f "$build"/fuzz-*.log.failed
 xargs -P "$jobs" -L 1 "$0" "$build" "$seconds" <<<"$list"

@@ -1,0 +1,145 @@
+#!/bin/bash
+# The checks of the project, stage by stage. Which stages there are depends on the tier and on the commit alone: not on a clock, the machine, or
+# how often it was asked. Closes with the tier, each stage with its seconds, what the tier leaves out, and "N passed, N failed".
+# Usage: scripts/check.sh fast      what lands: all stages; those that look at changes look at those since the commit in .ci/accepted
+#        scripts/check.sh full      everything, whatever has changed
+#        scripts/check.sh touched   the stages of `fast` that uncommitted and unpushed changes touch, cheapest first; stops at the first failure
+set -uo pipefail
+
+cd "$(dirname "$0")/.." || exit
+readonly tier=${1:-}
+passed=0
+failed=0
+report=()
+failures=()
+# What the failures printed, for the end: whoever shows this log may cut it in its middle.
+evidence=$(mktemp)
+readonly evidence
+trap 'rm -f "$evidence"' EXIT
+
+# Since which commit changes are looked at; `all` where that commit is not known here.
+base_commit() {
+    local base
+    case $tier in
+    full) base=all ;;
+    touched) base=$(git merge-base HEAD '@{upstream}' 2>/dev/null) || base=$(<.ci/accepted) ;;
+    *) base=$(<.ci/accepted) ;;
+    esac
+    git merge-base --is-ancestor "$base" HEAD 2>/dev/null && echo "$base" || echo all
+}
+
+count() {
+    passed=$((passed + $1))
+    failed=$((failed + $2))
+}
+
+# Of the log of a command: what each test that failed printed, of GoogleTest and of our own scripts.
+failed_tests() {
+    {
+        awk '/^\[ RUN      \]/ { kept = "" }
+             { kept = substr(kept $0 "\n", length(kept) > 4000 ? length($0) : 1) }
+             /^\[  FAILED  \].* ms\)$/ { printf "%s", kept; kept = "" }' "$1"
+        grep -A 12 '^FAILED ' "$1"
+        grep -F '***' "$1" | grep -vF '***Skipped'
+    } | tail -n 150
+}
+
+# Runs a command that closes with "N passed, N failed", or that passes or fails as a whole.
+run() {
+    local log code closing='^([0-9]+) passed, ([0-9]+) failed$'
+    log=$(mktemp)
+    "$@" 2>&1 | tee "$log"
+    code=${PIPESTATUS[0]}
+    if [[ $(tail -n 1 "$log") =~ $closing ]]; then
+        count "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
+        ((code != 0 && BASH_REMATCH[2] == 0)) && count 0 1
+    elif ((code == 0)); then
+        count 1 0
+    else
+        count 0 1
+    fi
+    ((code != 0)) && { echo "of: $*"; failed_tests "$log"; } >>"$evidence"
+    rm -f "$log"
+    return "$code"
+}
+
+is_touched() {
+    [[ $tier != touched ]] || scripts/affected.py files "$since" | grep -qE "$1"
+}
+
+# stage NAME FILES COMMAND...: the command repeats it. FILES: a pattern of the names of the files that touch it.
+stage() {
+    local name=$1 files=$2 began_s=$SECONDS result=passed
+    shift 2
+    is_touched "$files" || return 0
+    echo
+    echo "== $name: $*"
+    run "$@" || result="FAILED; again: $*"
+    report+=("$(printf '%6d s  %-34s %s' $((SECONDS - began_s)) "$name" "$result")")
+    [[ $result == passed ]] && return
+    failures+=("$name: $*")
+    [[ $tier != touched ]] || finish
+}
+
+# Of the rest of the tools some cannot be had everywhere.
+install_tools() {
+    scripts/setup.sh test lint || return
+    scripts/setup.sh calibrate || echo "no Ceres here, so none of the tests of gsim-calibrate"
+    scripts/setup.sh step || echo "no OpenCASCADE here, so none of the tests with STEP and IGES files"
+    scripts/setup.sh slurm
+    export SLURM_NEEDED=1 # without a Slurm its test fails here
+}
+
+left_out() {
+    case $tier in
+    full) echo "nothing" ;;
+    fast) echo "clang-tidy, compilation by itself, sanitizers and fuzzing of what has not changed; packages built twice and compared; what is installed without its build (FULL=1 .ci/run)" ;;
+    touched) echo "stages that the changes do not touch (.ci/run), and what that leaves out" ;;
+    esac
+}
+
+finish() {
+    echo
+    echo "== end"
+    cat "$evidence"
+    echo "tier $tier, changes since $since"
+    printf '%s\n' "${report[@]:-nothing was touched}"
+    echo "left out: $(left_out)"
+    ((${#failures[@]} > 0)) && printf 'FAILED: %s\n' "${failures[@]}"
+    echo "$passed passed, $failed failed"
+    ((failed == 0))
+    exit
+}
+
+case $tier in
+fast | full | touched) ;;
+*)
+    echo "usage: $0 fast | full | touched" >&2
+    exit 2
+    ;;
+esac
+since=$(base_commit)
+readonly since
+readonly cpp='\.(cpp|h|def|l|y)$' product='^(base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|calibrate|batch|cmake|samples)/|^CMake'
+
+install_tools || { echo "0 passed, 1 failed"; exit 1; }
+stage "format" "$cpp|^\.clang-format$|^scripts/lint" scripts/lint.sh format
+stage "site" '\.md$|^docs/|^mkdocs|^scripts/site' make site
+stage "each changed source by itself" "$cpp" scripts/lint.sh alone "$since"
+stage "clang-tidy" "$cpp|^\.clang-tidy$" scripts/lint.sh tidy "$since"
+stage "first result" "$product|^Makefile|^scripts/(setup|run-wheel)" make run
+stage "tests" . make test
+stage "WebAssembly" "$product|^scripts/wasm" make wasm
+stage "page in Chromium" "$product|^scripts/studio" env LANES=2 make studio-test
+stage "sanitizers" "$cpp|CMakeLists" scripts/sanitized-tests.sh "$since"
+stage "fuzzing of changed readers" "$cpp" scripts/fuzz-changed.sh "$since"
+if [[ $tier == full ]]; then
+    # The second build is made from a fresh copy, which is installed from afterwards and deleted.
+    copy=$(mktemp -d)/copy
+    stage "packages, built twice" . scripts/reproducible.sh "$copy"
+    stage "installed without the build" . scripts/install-test.sh "$copy"
+else
+    stage "packages" "$product|^debian|^scripts/package" make package
+fi
+stage "packages in empty roots" "$product|^debian|^scripts/package" scripts/package-test.sh build/packages
+finish

@@ -1,0 +1,22 @@
+#!/bin/bash
+# Fuzzes the readers that changed since a commit (scripts/affected.py), each for FUZZ_SECONDS (6), under sanitizers. One seed, so that a change
+# is judged by what it changed; new ground is for long runs by hand (make fuzz).
+# Usage: scripts/fuzz-changed.sh SINCE | all
+set -uo pipefail
+
+since=${1:?since which commit, or all}
+cd "$(dirname "$0")/.." || exit
+
+has_fuzzer() {
+    scripts/setup.sh clang && echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+        clang++ -fsanitize=fuzzer -x c++ - -o /dev/null 2>/dev/null
+}
+
+readers=$(scripts/affected.py readers "$since" | tr '\n' ' ')
+if [[ -z $readers ]]; then
+    echo "no reader has changed"
+elif ! has_fuzzer; then
+    echo "skipped: clang has no libFuzzer here"
+else
+    SEED=1 make fuzz FUZZ_SECONDS="${FUZZ_SECONDS:-6}" TARGET="$readers"
+fi
