@@ -8,12 +8,14 @@ import hashlib
 import http.client
 import json
 import os
+import select
 import socket
 import subprocess
 import sys
 import tempfile
 import time
 import urllib.parse
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 BUILD = Path(sys.argv[1]).resolve()
@@ -170,6 +172,36 @@ def broken(server):
         server.raw(server.head("GET", server.path + "file/part.nc", ["Range: bytes=" + ",".join(["0-0"] * 2000)]))]
 
 
+def dripped_head(server):
+    """A head of one byte each 0.2 s: how long the server listens to it."""
+    began = time.monotonic()
+    with server.connect() as drip, contextlib.suppress(OSError):
+        for byte in server.head("GET", server.path + "files") * 100:
+            drip.sendall(bytes([byte]))
+            time.sleep(0.2)
+    return time.monotonic() - began
+
+
+def dripped_body(server):
+    """A body that is refused, and goes on by one byte each 0.2 s: the answer, and how long the server listens."""
+    with server.connect() as drip:
+        drip.sendall(server.head("PUT", server.path + "file/a.nc", ["Content-Length: 1073741824"]))
+        answer = drip.recv(65536)
+        began = time.monotonic()
+        with contextlib.suppress(OSError):
+            for _ in range(1000):
+                drip.sendall(b"a")
+                time.sleep(0.2)
+    return answer, time.monotonic() - began
+
+
+def stopped_body(server):
+    """A body that stops: the answer, and how long the server waits for the rest."""
+    began = time.monotonic()
+    answer = server.raw(server.head("POST", server.path + "ask", ["Content-Length: 100"]), b"{", timeout_s=60)
+    return answer, time.monotonic() - began
+
+
 def slow(server):
     """Time, and many at once."""
     began = time.monotonic()
@@ -180,14 +212,17 @@ def slow(server):
     yield f"1,000 connections that ask for nothing (opened in {opened - began:.1f} s); then the page asks: answered in {answered - opened:.2f} s", "closed", [b""]
     for connection in idle:
         connection.close()
-    drip = server.connect()
-    began = time.monotonic()
-    with contextlib.suppress(OSError):
-        for byte in server.head("GET", server.path + "files") * 100:
-            drip.sendall(bytes([byte]))
-            time.sleep(0.2)
-    yield f"a head of one byte each 0.2 s: ended after {time.monotonic() - began:.1f} s", "closed", [b""]
-    drip.close()
+    with ThreadPoolExecutor() as pool:
+        head, body, stopped = (pool.submit(one, server) for one in (dripped_head, dripped_body, stopped_body))
+        yield f"a head of one byte each 0.2 s: ended after {head.result():.1f} s", "closed", [b""]
+        answer, listened_s = body.result()
+        yield f"a body that is refused, and goes on by one byte each 0.2 s: ended after {listened_s:.1f} s", "413", [answer]
+        answer, waited_s = stopped.result()
+        yield f"a body that stops: ended after {waited_s:.1f} s", "400 closed", [answer]
+    yield from many_at_once(server)
+
+
+def many_at_once(server):
     refused = [server.connect() for _ in range(200)]
     for connection in refused:
         connection.sendall(server.head("PUT", server.path + "file/a.nc", ["Content-Length: 1073741824"]) + PIECE)
@@ -196,28 +231,17 @@ def slow(server):
     yield f"200 bodies of 1 GiB that do not end; then the page asks: answered in {time.monotonic() - began:.2f} s", "413", [refused[-1].recv(65536)]
     for connection in refused:
         connection.close()
-    drip = server.connect()
-    drip.sendall(server.head("PUT", server.path + "file/a.nc", ["Content-Length: 1073741824"]))
-    answer = drip.recv(65536)
-    began = time.monotonic()
-    with contextlib.suppress(OSError):
-        for _ in range(1000):
-            drip.sendall(b"a")
-            time.sleep(0.2)
-    yield f"a body that is refused, and goes on by one byte each 0.2 s: ended after {time.monotonic() - began:.1f} s", "413", [answer]
-    drip.close()
-    began = time.monotonic()
-    answer = server.raw(server.head("POST", server.path + "ask", ["Content-Length: 100"]), b"{", timeout_s=60)
-    yield f"a body that stops: ended after {time.monotonic() - began:.1f} s", "400 closed", [answer]
     endless = {"request": {"do": "run", "program": "e.lua", "steps": 1e15}, "files": {"e.lua": "while true do end"}}
     body = json.dumps(endless).encode()
     asks = [server.connect() for _ in range(40)]
     for connection in asks:
         connection.sendall(server.head("POST", server.path + "ask", [f"Content-Length: {len(body)}"]) + body)
-    time.sleep(1)
+    # Of one that is refused something can be read.
+    select.select(asks, [], [], 20)
+    wait_for(lambda: engines(server) > 0)
+    assert server.get("files")[0] == 200
     running = engines(server)
     assert running <= 8, running
-    assert server.get("files")[0] == 200
     for connection in asks:
         connection.close()
     wait_for(lambda: engines(server) == 0)
