@@ -3,13 +3,18 @@
 # Usage: scripts/ccache.sh PROJECT-FOLDER COMPILER ARGUMENTS...
 set -eu
 
+project=$1
+shift
+# Builders of packages have no home: where nothing can be kept, ccache would refuse to compile.
+cache=${CCACHE_DIR:-${XDG_CACHE_HOME:-${HOME:-}/.cache}/ccache}
+[ -w "$cache" ] || mkdir -p "$cache" 2>/dev/null || exec "$@"
+
 # Paths below the project's folder are taken as relative; in messages they are whole again.
-export CCACHE_BASEDIR="$1" CCACHE_ABSSTDERR=1 CCACHE_NOHASHDIR=1
+export CCACHE_BASEDIR="$project" CCACHE_ABSSTDERR=1 CCACHE_NOHASHDIR=1
 # What a unit includes is read from the compiler's list of dependencies, so nothing is preprocessed twice.
 export CCACHE_DEPEND=1
 # Precompiled headers are known by what is in them, not by when they were written.
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-shift
 case $1 in
 *em++ | *emcc) export CCACHE_COMPILERTYPE=clang ;;  # ccache knows emscripten by no name
 esac
