@@ -39,7 +39,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
-SchedulerParameters=sched_interval=1,batch_sched_delay=0
+SchedulerParameters=sched_interval=2,batch_sched_delay=0
 ReturnToService=2
 SlurmdTimeout=15
 SlurmctldTimeout=15

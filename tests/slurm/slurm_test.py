@@ -73,7 +73,7 @@ class OnSlurm(unittest.TestCase):
         cls.wanted = rows(cls.work / "local.sqlite")
 
     def setUp(self):
-        self.hurried = set()
+        self.put_back = {}
 
     @classmethod
     def tearDownClass(cls):
@@ -122,20 +122,16 @@ class OnSlurm(unittest.TestCase):
     def hurry(self):
         """Tasks that Slurm puts back wait for two minutes, and those that a lost node could not begin until an administrator releases them.
         Of a task that begins in the second in which it was put back a node refuses the credential as revoked, and the task has failed."""
-        waiting = set()
+        waiting = {}
         for line in self.slurm("squeue", "--noheader", "--array", "--states=PENDING", "--format=%i|%r").splitlines():
             job, reason = line.strip().split("|")
-            if "held" in reason:
-                command = ["release", job]
-            elif reason == "BeginTime" and job not in self.hurried:
-                command = ["update", "JobId=" + job, "StartTime=now+2seconds"]
-            else:
-                command = None
+            command = ["release", job] if "held" in reason else None
             if reason == "BeginTime":
-                waiting.add(job)
+                waiting[job] = self.put_back.get(job, time.monotonic())
+                command = ["update", "JobId=" + job, "StartTime=now"] if time.monotonic() - waiting[job] > 1.5 else None
             if command:
                 subprocess.run(["scontrol", *command], env=self.environment(), capture_output=True, check=False, timeout=60)
-        self.hurried = waiting
+        self.put_back = waiting
         return True
 
     def logs(self, results):
