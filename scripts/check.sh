@@ -50,7 +50,7 @@ run() {
     log=$(mktemp)
     "$@" 2>&1 | tee "$log"
     code=${PIPESTATUS[0]}
-    if [[ $(tail -n 1 "$log") =~ $closing ]]; then
+    if [[ $(grep -E "$closing" "$log" | tail -n 1) =~ $closing ]]; then
         count "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
         ((code != 0 && BASH_REMATCH[2] == 0)) && count 0 1
     elif ((code == 0)); then
@@ -64,7 +64,7 @@ run() {
 }
 
 is_touched() {
-    [[ $tier != touched ]] || scripts/affected.py files "$since" | grep -qE "$1"
+    [[ $tier != touched ]] || grep -qE "$1" <<<"$changed"
 }
 
 # stage NAME FILES COMMAND...: the command repeats it. FILES: a pattern of the names of the files that touch it.
@@ -120,6 +120,8 @@ fast | full | touched) ;;
 esac
 since=$(base_commit)
 readonly since
+changed=$(scripts/affected.py files "$since") || exit
+readonly changed
 readonly cpp='\.(cpp|h|def|l|y)$' product='^(base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|calibrate|batch|cmake|samples)/|^CMake'
 
 install_tools || { echo "0 passed, 1 failed"; exit 1; }

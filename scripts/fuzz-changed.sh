@@ -12,11 +12,11 @@ has_fuzzer() {
         clang++ -fsanitize=fuzzer -x c++ - -o /dev/null 2>/dev/null
 }
 
-readers=$(scripts/affected.py readers "$since" | tr '\n' ' ')
+readers=$(scripts/affected.py readers "$since") || exit
 if [[ -z $readers ]]; then
     echo "no reader has changed"
 elif ! has_fuzzer; then
     echo "skipped: clang has no libFuzzer here"
 else
-    SEED=1 make fuzz FUZZ_SECONDS="${FUZZ_SECONDS:-6}" TARGET="$readers"
+    SEED=1 make fuzz FUZZ_SECONDS="${FUZZ_SECONDS:-6}" TARGET="${readers//$'\n'/ }"
 fi

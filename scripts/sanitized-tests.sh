@@ -15,9 +15,10 @@ build_folder() {
     }
 }
 
+folders=$(scripts/affected.py tests "$since") || exit
 names=""
 scripts/setup.sh test clang && cmake --preset sanitize >/dev/null || exit
-for folder in $(scripts/affected.py tests "$since"); do
+for folder in $folders; do
     [[ -d build-sanitize/$folder ]] || continue
     echo "under sanitizers: $folder (after $SECONDS s)"
     build_folder "$folder" || exit
