@@ -1,16 +1,17 @@
 // gsim-run --rcs: a controller module in place of the built-in planner.
 
-#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "base/os/spawn.h"
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/soon.h"
 
 namespace gsim::apps::controller_module_test {
 namespace {
@@ -293,13 +294,14 @@ TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
 
 TEST_F(HostileModule, ARunThatIsInterruptedLeavesNoProcessBehind) {
     const std::string module = own_path("hangs");
-    for (const char* const signal : {"INT", "KILL"}) {
-        run_program("/usr/bin/timeout",
-                    {"-s", signal, "1", tests::program_path("gsim-run"), part_, "--quiet", "--rcs", module},
-                    folder_);
-        for (int i = 0; i < 100 && is_running(module); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        EXPECT_FALSE(is_running(module)) << signal;
+    for (const int signal : {SIGINT, SIGKILL}) {
+        const auto run = os::spawn(
+            {tests::program_path("gsim-run"), (folder_ / part_).string(), "--quiet", "--rcs", module}, {});
+        ASSERT_TRUE(run);
+        EXPECT_TRUE(tests::soon([&] { return is_running(module); })) << signal;
+        ::kill(*run, signal);
+        os::wait_for(*run);
+        EXPECT_TRUE(tests::soon([&] { return !is_running(module); })) << signal;
     }
 }
 

@@ -1,11 +1,9 @@
 // gsim-batch as people run it: twice, with a change in between, cut off, with programs that are wrong.
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -16,6 +14,7 @@
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/soon.h"
 
 namespace gsim::batch::batch_program_test {
 namespace {
@@ -264,22 +263,28 @@ from = 50
 to = 100
 steps = 1000
 )");
-    const auto spawn = [&](int signal, std::chrono::milliseconds after) {
+    // Rows of runs, 0 before there is a table of them.
+    const auto rows = [&]() -> double {
+        auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
+        if (!results) return 0;
+        auto asked = results->prepare("SELECT count(*) FROM run");
+        return asked && asked->step().value_or(false) ? asked->number(0) : 0;
+    };
+    const auto spawn = [&](int signal) {
+        const double before = rows();
         os::SpawnActions actions;
         actions.redirect(2, 1);
         const std::string command = fmt::format("cd '{}' && exec {} plan.toml -q", folder_.string(),
                                                 tests::program_path("gsim-batch"));
         const auto child = os::spawn({"/bin/sh", "-c", command}, actions);
         ASSERT_TRUE(child);
-        std::this_thread::sleep_for(after);
+        EXPECT_TRUE(tests::soon([&] { return rows() > before; }));
         ::kill(*child, signal);
         os::wait_for(*child);
     };
-    spawn(SIGKILL, std::chrono::milliseconds(1500));
-    const double killed = number("SELECT count(*) FROM run");
-    spawn(SIGTERM, std::chrono::milliseconds(1500));
-    const double asked = number("SELECT count(*) FROM run");
-    EXPECT_GE(asked, killed);
+    spawn(SIGKILL);
+    spawn(SIGTERM);
+    EXPECT_LT(rows(), 3000) << "it was over before it was asked to end";
     const Ended rest = batch({"plan.toml"});
     EXPECT_EQ(rest.status, 0) << rest.err;
     EXPECT_EQ(number("SELECT count(*) FROM run"), 3000) << "none lost, none twice";

@@ -15,6 +15,7 @@
 #include "tests/apps/run_program.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/soon.h"
 
 namespace gsim::batch::optimise_program_test {
 namespace {
@@ -99,9 +100,17 @@ TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
                                               folder_.string(), tests::program_path("gsim-optimise"))},
                                  actions);
     ASSERT_TRUE(child);
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    // Trials, 0 before there is a table of them.
+    const auto trials = [&]() -> double {
+        auto results = Database::open((folder_ / "gsim-optimise.sqlite").string(), true);
+        if (!results) return 0;
+        auto asked = results->prepare("SELECT count(*) FROM evaluations");
+        return asked && asked->step().value_or(false) ? asked->number(0) : 0;
+    };
+    EXPECT_TRUE(tests::soon([&] { return trials() > 0; }));
     ::kill(*child, SIGTERM);
     os::wait_for(*child);
+    EXPECT_LT(trials(), 601) << "it was over before it was asked to end";
     ASSERT_EQ(optimise(words).status, 0);
     const char* all = "SELECT group_concat(value) FROM (SELECT value FROM evaluations ORDER BY number)";
     const auto text = [&](const std::string& file) {

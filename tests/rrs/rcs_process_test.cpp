@@ -18,10 +18,12 @@
 #include "runtime/rrs/rcs_shell.h"
 #include "tests/build_files/build_files.h"
 #include "tests/rrs/test_module.h"
+#include "tests/support/soon.h"
 
 namespace gsim::rrs::rcs_process_test {
 namespace {
 
+using tests::soon;
 using Clock = std::chrono::steady_clock;
 
 constexpr RcsProcessLimits kSmall{.answer_ms = 500, .memory_bytes = 256U << 20U};
@@ -56,15 +58,6 @@ std::vector<pid_t> processes_of(const std::string& name) {
             found.push_back(std::stoi(number));
     }
     return found;
-}
-
-bool soon(const auto& holds) {
-    const auto end = Clock::now() + std::chrono::seconds(5);
-    while (!holds()) {
-        if (Clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
 }
 
 JointPos at(double x) {

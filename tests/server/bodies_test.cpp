@@ -18,6 +18,7 @@
 #include "studio/server/gentle_close.h"
 #include "studio/server/whole_body_stream.h"
 #include "tests/server/studio_server_fixture.h"
+#include "tests/support/soon.h"
 
 namespace gsim::studio {
 namespace {
@@ -197,8 +198,7 @@ TEST_F(EndsTest, WhoHasItsAnswerMakesRoomForOthers) {
     std::this_thread::sleep_for(milliseconds(300));
     EXPECT_FALSE(is_ended()) << "it is being answered";
     entry.finish();
-    for (int i = 0; i < 100 && !is_ended(); ++i) std::this_thread::sleep_for(milliseconds(20));
-    EXPECT_TRUE(is_ended());
+    EXPECT_TRUE(tests::soon([&] { return is_ended(); }));
     all.gone();
     coming.join();
 }

@@ -1,18 +1,18 @@
 #include "studio/server/browser_page.h"
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/support/soon.h"
 
 namespace gsim::studio {
 namespace {
@@ -54,8 +54,7 @@ TEST(BrowserPageTest, ABrowserGetsAFileOfTheUsersOwnAndNoneOfOurSignals) {
         const Variable own("XDG_RUNTIME_DIR", folder.string());
         const auto page = BrowserPage::open("http://127.0.0.1:1/token/");
         ASSERT_TRUE(page);
-        for (int i = 0; i < 500 && !fs::exists(said); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        EXPECT_TRUE(tests::soon([&] { return fs::exists(said); }));
         int status = 0;
         const pid_t browser = ::wait(&status);
         EXPECT_EQ(content_of(said).substr(0, content_of(said).find('\n')), std::to_string(browser));

@@ -1,6 +1,7 @@
 #include "studio/server/guarded_stream.h"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -14,7 +15,6 @@ namespace gsim::studio {
 namespace {
 
 using std::chrono::milliseconds;
-using Clock = std::chrono::steady_clock;
 
 /// Both ends of a connection.
 class GuardedStreamTest : public testing::Test {
@@ -60,15 +60,13 @@ TEST_F(GuardedStreamTest, AHeadWithoutAnEndIsEnded) {
 
 TEST_F(GuardedStreamTest, AHeadThatDripsIsEnded) {
     GuardedStream stream(ends_[0], {.head = milliseconds(300), .pause = milliseconds(200)});
-    std::thread dripping([this] {
-        for (int i = 0; i < 20; ++i) {
+    std::atomic<bool> is_over = false;
+    std::thread dripping([&] {
+        for (; !is_over; std::this_thread::sleep_for(milliseconds(50)))
             ::send(ends_[1], "a", 1, MSG_NOSIGNAL);
-            std::this_thread::sleep_for(milliseconds(50));
-        }
     });
-    const auto began = Clock::now();
-    EXPECT_LT(drain(stream), 12U);
-    EXPECT_LT(Clock::now() - began, milliseconds(800));
+    drain(stream);  // ends, though the bytes do not
+    is_over = true;
     dripping.join();
 }
 

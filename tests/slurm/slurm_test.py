@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """gsim-batch and gsim-optimise on a real Slurm of this machine: the same rows as without it, whatever is killed on the way.
-Usage: slurm_test.py GSIM-BATCH. In the environment: SLURM_NEEDED=1 (no Slurm here is a failure, else a skip: status 77)."""
+Usage: slurm_test.py GSIM-BATCH [CLASS]: all tests, or Batches or Losses, each with a cluster of its own. In the environment: SLURM_NEEDED=1 (no Slurm here is a failure, else a skip: status 77)."""
 
 import json
 import os
@@ -58,6 +58,8 @@ def number(file, query):
 
 
 class OnSlurm(unittest.TestCase):
+    """A cluster with two nodes, and what the batch finds without it."""
+
     @classmethod
     def setUpClass(cls):
         # Sockets have short names.
@@ -163,6 +165,8 @@ class OnSlurm(unittest.TestCase):
                 found[int(words[3])] = int(entry.name)
         return found
 
+
+class Batches(OnSlurm):
     def test_rows_are_those_of_a_local_run(self):
         status, said = self.batch("plan.toml", "--slurm", "--results", "a.sqlite", "--shard-runs", "250", "--wait", "-q", "--csv", "a.csv")
         self.assertEqual(status, 1, said)  # two of the programs are wrong
@@ -173,6 +177,39 @@ class OnSlurm(unittest.TestCase):
         self.assertIn("nothing is to be run", said)
         self.assertIn("0 run in", self.batch("plan.toml", "--results", "a.sqlite")[1])
 
+    def test_a_batch_that_is_cancelled_keeps_what_it_has(self):
+        self.submit("e.sqlite")
+        self.until(lambda: self.task_processes("e.sqlite"))
+        status, said = self.batch("plan.toml", "--slurm", "--results", "e.sqlite")
+        self.assertEqual(status, 2)
+        self.assertIn("is under way", said)
+        status, said = self.batch("plan.toml", "--results", "e.sqlite")
+        self.assertEqual(status, 2)
+        self.assertIn("on a cluster", said)
+        status, said = self.batch("--cancel", "--results", "e.sqlite")
+        self.assertIn(" 0 running, 0 waiting", said)
+        had = len(rows(self.work / "e.sqlite"))
+        self.assertGreater(had, 0)
+        self.submit("e.sqlite")
+        self.over("e.sqlite")
+        self.check("e.sqlite")
+
+    def test_tasks_that_are_put_back_go_on(self):
+        self.submit("c.sqlite", 400)
+        self.until(lambda: self.task_processes("c.sqlite"))
+        job = self.slurm("squeue", "--noheader", "--array", "--states=RUNNING", "--name=gsim-batch", "--format=%i").split()[0]
+        self.slurm("scontrol", "requeue", job)
+        self.over("c.sqlite")
+        self.check("c.sqlite")
+
+    def test_what_the_cluster_does_not_allow_is_refused(self):
+        for words, why in ((("--partition", "none"), "has no partition 'none'"), (("--memory-mb", "9000"), "has 1000 MB")):
+            status, said = self.batch("plan.toml", "--slurm", "--results", "f.sqlite", *words)
+            self.assertEqual(status, 2, said)
+            self.assertIn(why, said)
+
+
+class Losses(OnSlurm):
     def test_a_killed_task_loses_its_own_runs_and_they_alone_are_submitted_again(self):
         self.submit("b.sqlite")
         self.until(lambda: self.task_processes("b.sqlite"))
@@ -189,14 +226,6 @@ class OnSlurm(unittest.TestCase):
         self.assertIn(f"{len(self.wanted) - missing} there before", said)
         self.over("b.sqlite")
         self.check("b.sqlite")
-
-    def test_tasks_that_are_put_back_go_on(self):
-        self.submit("c.sqlite", 400)
-        self.until(lambda: self.task_processes("c.sqlite"))
-        job = self.slurm("squeue", "--noheader", "--array", "--states=RUNNING", "--name=gsim-batch", "--format=%i").split()[0]
-        self.slurm("scontrol", "requeue", job)
-        self.over("c.sqlite")
-        self.check("c.sqlite")
 
     def test_daemons_may_be_killed(self):
         self.submit("d.sqlite")
@@ -229,29 +258,6 @@ class OnSlurm(unittest.TestCase):
         self.assertEqual(number(self.work / "f.sqlite", trials), number(self.work / "alone.sqlite", trials))
         self.assertEqual(number(self.work / "f.sqlite", "SELECT count(*) - count(DISTINCT key) FROM run"), 0, "a run is there twice")
         self.assertLess(json.loads((self.work / "f.json").read_text())["best"]["value"], 560)
-
-    def test_a_batch_that_is_cancelled_keeps_what_it_has(self):
-        self.submit("e.sqlite")
-        self.until(lambda: self.task_processes("e.sqlite"))
-        status, said = self.batch("plan.toml", "--slurm", "--results", "e.sqlite")
-        self.assertEqual(status, 2)
-        self.assertIn("is under way", said)
-        status, said = self.batch("plan.toml", "--results", "e.sqlite")
-        self.assertEqual(status, 2)
-        self.assertIn("on a cluster", said)
-        status, said = self.batch("--cancel", "--results", "e.sqlite")
-        self.assertIn(" 0 running, 0 waiting", said)
-        had = len(rows(self.work / "e.sqlite"))
-        self.assertGreater(had, 0)
-        self.submit("e.sqlite")
-        self.over("e.sqlite")
-        self.check("e.sqlite")
-
-    def test_what_the_cluster_does_not_allow_is_refused(self):
-        for words, why in ((("--partition", "none"), "has no partition 'none'"), (("--memory-mb", "9000"), "has 1000 MB")):
-            status, said = self.batch("plan.toml", "--slurm", "--results", "f.sqlite", *words)
-            self.assertEqual(status, 2, said)
-            self.assertIn(why, said)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+namespace gsim::tests {
+
+/// Whether `holds()` is true within a minute, asked each 5 ms: for what other processes and threads do, which
+/// takes its time on a slow machine. Only a test that fails waits so long.
+template <typename Condition>
+bool soon(const Condition& holds) {
+    constexpr std::chrono::seconds kPatience{60};
+    constexpr std::chrono::milliseconds kPause{5};
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!holds()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(kPause);
+    }
+    return true;
+}
+
+}  // namespace gsim::tests
