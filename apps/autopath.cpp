@@ -14,7 +14,7 @@
 #include "base/text/printable.h"
 #include "base/units.h"
 #include "engine/drawing_path.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/host_of_parts.h"
 
 namespace {
 
@@ -241,7 +241,7 @@ std::string lonely_option(const AutopathArguments& arguments) {
 
 engine::DrawingRequest request_of(const AutopathArguments& arguments) {
     engine::DrawingRequest request = arguments.request;
-    request.host = engine::host_of_system();
+    request.host = engine::host_of_parts();
     if (!arguments.units.empty()) request.reading.unit_mm = arguments.units == "inch" ? kMmPerInch : 1;
     if (!arguments.contours.empty()) request.surface = surface_choice(arguments);
     const engine::CuttingPlace& place = arguments.place;

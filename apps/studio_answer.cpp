@@ -25,7 +25,7 @@
 #include "base/os/installation.h"
 #include "base/text/base64.h"
 #include "base/text/json.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/host_of_parts.h"
 #include "studio/engine/lean_message.h"
 #include "studio/engine/session.h"
 
@@ -111,7 +111,7 @@ std::string value_of(std::span<const std::string> arguments, std::string_view op
 }
 
 engine::Host host_of(const std::shared_ptr<const ServedFiles>& files, const std::string& module) {
-    engine::Host host = engine::host_of_system();
+    engine::Host host = engine::host_of_parts();
     host.files = engine::Files::given([files](const std::string& name) { return files->read(name); });
     host.find = [files](NameKind kind, const std::string& name) -> tl::expected<std::string, std::string> {
         const std::string machine = "samples/machines/" + name + ".toml";

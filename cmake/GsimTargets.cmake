@@ -47,11 +47,19 @@ function(gsim_generated target)
     endforeach()
 endfunction()
 
-# Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (presets release and sanitize) read
-# them once: a set for all libraries, the same with nlohmann-json for those that include it (gsim_library(... JSON): its header has inline
-# functions that instantiate its parser in each unit, a third of a second), and a set for all tests. Debug builds and clang-tidy read each
-# source as it stands, and so notice a missing #include. Definitions change what headers say: all have those of fmt and Eigen, whether they
-# link them or not.
+# Code that runs once for a file, a program or a report, and not for each block, is compiled in two thirds of the time: the optimisation of
+# debug builds, with functions that are called once put where they are called, or objects are twice as large.
+set(GSIM_COLD_OPTIONS "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # With -Og g++ 12 takes members of an empty std::optional for read (as with the sanitizers above).
+    set(GSIM_COLD_OPTIONS $<$<CONFIG:Release>:-Og> $<$<CONFIG:Release>:-finline-functions-called-once> $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
+endif()
+
+# Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (preset release) read
+# them once: a set for libraries that run for each block, one with nlohmann-json for those that do not (its header has inline
+# functions that instantiate its parser in each unit, a quarter of a second), and a set for all tests. g++ takes the optimisation of a unit from
+# the precompiled header, so units that share one share their options. Debug builds and clang-tidy read each source as it stands, and so notice
+# a missing #include. Definitions change what headers say: all have those of fmt and Eigen, whether they link them or not.
 option(GSIM_PRECOMPILE "Precompile the headers that most units read" ${GSIM_BATCHES})
 find_package(Eigen3 REQUIRED)
 find_package(fmt REQUIRED)
@@ -61,28 +69,32 @@ if(GSIM_PRECOMPILE)
                 <map> <memory> <optional> <span> <string> <string_view> <utility> <vector>)
     set(json_headers ${headers} "\"base/text/json.h\"")
     file(CONFIGURE OUTPUT precompiled.cpp CONTENT "int main() {}\n" @ONLY)
-    foreach(set precompiled precompiled_json)
+    foreach(set precompiled precompiled_cold)
         add_library(gsim_${set} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
         target_link_libraries(gsim_${set} PRIVATE gsim_options)
     endforeach()
     target_precompile_headers(gsim_precompiled PRIVATE ${headers})
-    target_precompile_headers(gsim_precompiled_json PRIVATE ${json_headers})
+    target_precompile_headers(gsim_precompiled_cold PRIVATE ${json_headers})
+    target_compile_options(gsim_precompiled_cold PRIVATE ${GSIM_COLD_OPTIONS})
 endif()
 
-# gsim_library(NAME SOURCES... [LINK LIBS...] [JSON]): a static library of one room. JSON: most of its sources include nlohmann-json.
+# gsim_library(NAME SOURCES... [LINK LIBS...] [COLD]): a static library of one folder. COLD: its code does not run for each block.
 function(gsim_library name)
-    cmake_parse_arguments(ARG "JSON" "" "LINK" ${ARGN})
+    cmake_parse_arguments(ARG "COLD" "" "LINK" ${ARGN})
     add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PUBLIC gsim_options ${ARG_LINK})
     if(EMSCRIPTEN AND name MATCHES "^gsim_(lexer|grammar|codegen|script|motion|simulation|cell)$")
         target_compile_options(${name} PRIVATE -O2)
     endif()
+    set(headers gsim_precompiled)
+    if(ARG_COLD)
+        target_compile_options(${name} PRIVATE ${GSIM_COLD_OPTIONS})
+        set(headers gsim_precompiled_cold)
+    else()
+        set_property(GLOBAL APPEND PROPERTY GSIM_HOT_LIBRARIES ${name})
+    endif()
     if(GSIM_PRECOMPILE)
-        if(ARG_JSON)
-            target_precompile_headers(${name} REUSE_FROM gsim_precompiled_json)
-        else()
-            target_precompile_headers(${name} REUSE_FROM gsim_precompiled)
-        endif()
+        target_precompile_headers(${name} REUSE_FROM ${headers})
     endif()
 endfunction()
 
@@ -92,6 +104,8 @@ function(gsim_program name)
     cmake_parse_arguments(ARG "" "COMPONENT;FOLDER" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK})
+    target_compile_options(${name} PRIVATE ${GSIM_COLD_OPTIONS})
+    gsim_hot_first(${name} ${ARG_LINK})
     if(NOT ARG_COMPONENT)
         set(ARG_COMPONENT programs)
         set(ARG_FOLDER ${CMAKE_INSTALL_BINDIR})
@@ -103,8 +117,8 @@ endfunction()
 function(gsim_test_options name)
     # g++ 12 takes "text" + std::string for an overlapping or endless copy (GCC bug 105651).
     target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds>)
-    # Tests are compiled more often than they are run.
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    # Tests are compiled more often than they are run; without any optimisation some of them run thirty times as long.
+    target_compile_options(${name} PRIVATE ${GSIM_COLD_OPTIONS})
 endfunction()
 if(GSIM_PRECOMPILE AND GSIM_TESTS)
     add_executable(gsim_precompiled_for_tests ${CMAKE_BINARY_DIR}/precompiled.cpp)
@@ -117,7 +131,8 @@ endif()
 function(gsim_test name)
     cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
-    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} gsim_text gsim_build_files GTest::gtest GTest::gmock GTest::gtest_main)
+    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} gsim_json gsim_text gsim_build_files GTest::gtest GTest::gmock GTest::gtest_main)
+    gsim_hot_first(${name} ${ARG_LINK})
     gsim_test_options(${name})
     if(GSIM_PRECOMPILE)
         target_precompile_headers(${name} REUSE_FROM gsim_precompiled_for_tests)
