@@ -3,6 +3,7 @@
 #include "tests/solid/surface_program.h"
 
 #include <BRepGProp.hxx>
+#include <Eigen/Geometry>
 #include <GProp_GProps.hxx>
 #include <STEPControl_Reader.hxx>
 #include <algorithm>
