@@ -18,11 +18,9 @@ function(gsim_bundle shared archive)
 
     # The archive has one object, so that which copies of inline functions are kept is settled here, too.
     gsim_hot_parts(hot ${parts})
-    set(files "")
-    foreach(part ${hot} ${parts})
-        list(APPEND files $<TARGET_FILE:${part}>)
-    endforeach()
+    set(files ${hot} ${parts})
     list(REMOVE_DUPLICATES files)
+    list(TRANSFORM files REPLACE "(.+)" "$<TARGET_FILE:\\1>")
     set(object ${CMAKE_CURRENT_BINARY_DIR}/gsim.o)
     add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/lib/libgsim.a
                        COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/lib

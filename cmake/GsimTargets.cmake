@@ -52,7 +52,7 @@ endfunction()
 set(GSIM_COLD_OPTIONS "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # With -Og g++ 12 takes members of an empty std::optional for read (as with the sanitizers above).
-    set(GSIM_COLD_OPTIONS $<$<CONFIG:Release>:-Og> $<$<CONFIG:Release>:-finline-functions-called-once> $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
+    set(GSIM_COLD_OPTIONS "$<$<CONFIG:Release>:-Og;-finline-functions-called-once;-Wno-maybe-uninitialized>")
 endif()
 
 # Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (preset release) read

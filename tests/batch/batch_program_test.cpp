@@ -12,6 +12,7 @@
 #include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
+#include "tests/batch/one_number.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
 #include "tests/support/soon.h"
@@ -264,11 +265,8 @@ to = 100
 steps = 1000
 )");
     // Rows of runs, 0 before there is a table of them.
-    const auto rows = [&]() -> double {
-        auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
-        if (!results) return 0;
-        auto asked = results->prepare("SELECT count(*) FROM run");
-        return asked && asked->step().value_or(false) ? asked->number(0) : 0;
+    const auto rows = [&] {
+        return one_number(folder_ / "gsim-batch.sqlite", "SELECT count(*) FROM run").value_or(0);
     };
     const auto spawn = [&](int signal) {
         const double before = rows();

@@ -13,6 +13,7 @@
 #include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
+#include "tests/batch/one_number.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
 #include "tests/support/soon.h"
@@ -101,11 +102,8 @@ TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
                                  actions);
     ASSERT_TRUE(child);
     // Trials, 0 before there is a table of them.
-    const auto trials = [&]() -> double {
-        auto results = Database::open((folder_ / "gsim-optimise.sqlite").string(), true);
-        if (!results) return 0;
-        auto asked = results->prepare("SELECT count(*) FROM evaluations");
-        return asked && asked->step().value_or(false) ? asked->number(0) : 0;
+    const auto trials = [&] {
+        return one_number(folder_ / "gsim-optimise.sqlite", "SELECT count(*) FROM evaluations").value_or(0);
     };
     EXPECT_TRUE(tests::soon([&] { return trials() > 0; }));
     ::kill(*child, SIGTERM);

@@ -60,12 +60,15 @@ TEST_F(GuardedStreamTest, AHeadWithoutAnEndIsEnded) {
 
 TEST_F(GuardedStreamTest, AHeadThatDripsIsEnded) {
     GuardedStream stream(ends_[0], {.head = milliseconds(300), .pause = milliseconds(200)});
+    constexpr std::size_t kDrops = 600;  // half a minute, a hundred times as long as a head may take
     std::atomic<bool> is_over = false;
     std::thread dripping([&] {
-        for (; !is_over; std::this_thread::sleep_for(milliseconds(50)))
+        for (std::size_t i = 0; i < kDrops && !is_over; ++i) {
             ::send(ends_[1], "a", 1, MSG_NOSIGNAL);
+            std::this_thread::sleep_for(milliseconds(50));
+        }
     });
-    drain(stream);  // ends, though the bytes do not
+    EXPECT_LT(drain(stream), kDrops) << "it ends, though the bytes do not";
     is_over = true;
     dripping.join();
 }

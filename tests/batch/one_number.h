@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "batch/store/sqlite.h"
+
+namespace gsim::batch {
+
+/// The one number that a query of a file of results comes to; none while there is no such file or table.
+inline std::optional<double> one_number(const std::filesystem::path& file, const std::string& query) {
+    auto results = Database::open(file.string(), true);
+    if (!results) return std::nullopt;
+    auto asked = results->prepare(query);
+    if (!asked || !asked->step().value_or(false)) return std::nullopt;
+    return asked->number(0);
+}
+
+}  // namespace gsim::batch
