@@ -5,7 +5,7 @@
 # until its version 4.0 (UNITY_BUILD_RELOCATABLE).
 set(CMAKE_UNITY_BUILD OFF)  # build folders of before have it on
 option(GSIM_BATCHES "Compile sources in batches" OFF)
-set(GSIM_BATCH_SIZE 48 CACHE STRING "How many sources a batch has at most")
+set(GSIM_BATCH_SIZE 96 CACHE STRING "How many sources a batch has at most")
 mark_as_advanced(GSIM_BATCH_SIZE)
 
 # gsim_batch(TARGET): the sources of a target in batches, except those that are generated, that are compiled in a way of their own

@@ -11,7 +11,7 @@ declare -A packages=(
              libtomlplusplus-dev libexpected-dev libfast-float-dev libpugixml-dev libcpp-httplib-dev zlib1g-dev
              libboost-dev libsqlite3-dev libssl-dev"
     [test]="libgtest-dev libgmock-dev libfcl-dev liborocos-kdl-dev libpolyclipping-dev lua5.4 gnuplot-nox python3 jq
-            locales"
+            locales mold"
     [coverage]="gcovr"
     [lint]="clang-format clang-tidy"
     [clang]="clang libclang-rt-14-dev llvm"

@@ -49,10 +49,11 @@ rrs::JointPos step(const TipChain& chain, const rrs::JointPos& values, const Tip
         if ((values[i] <= joint.low && pull < 0) || (values[i] >= joint.high && pull > 0))
             columns.col(i).setZero();
     }
-    kinematics::JointSquare normal = columns.transpose() * columns;
+    // Eigen's product of large matrices, which these are not, costs a second of each build.
+    kinematics::JointSquare normal = columns.transpose().lazyProduct(columns);
     const rrs::JointPos sizes = normal.diagonal();
     normal.diagonal() += damping * sizes + rrs::JointPos::Constant(values.size(), 1e-12);
-    rrs::JointPos next = values + kinematics::solve_symmetric(normal, columns.transpose() * left);
+    rrs::JointPos next = values + kinematics::solve_symmetric(normal, columns.transpose().lazyProduct(left));
     for (Eigen::Index i = 0; i < values.size(); ++i) {
         const TipJoint& joint = chain.joints[static_cast<std::size_t>(i)];
         next[i] = std::clamp(next[i], joint.low, joint.high);

@@ -115,9 +115,10 @@ rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, c
     const double damping = kLeastDamping + kDamping * goal.squaredNorm();
     rrs::JointPos change(joints.size());
     for (int round = 0; round <= joint_count(); ++round) {
-        JointSquare normal = scaled.transpose() * scaled;
+        // Eigen's product of large matrices, which these are not, costs a second of each build.
+        JointSquare normal = scaled.transpose().lazyProduct(scaled);
         normal.diagonal().array() += damping;
-        change = solve_symmetric(normal, scaled.transpose() * goal);
+        change = solve_symmetric(normal, scaled.transpose().lazyProduct(goal));
         bool held = false;
         for (Eigen::Index i = 0; i < joints.size(); ++i) {
             const JointRange& range = ranges[static_cast<std::size_t>(i)];

@@ -18,7 +18,7 @@ namespace {
 constexpr double kShareOfTolerance = 0.95;  // looks at the quarters alone may miss the worst
 constexpr double kAngleTolerance_rad = 1e-4;
 constexpr double kLargestTurn_rad = 0.2;  // of a piece, before any look at it
-constexpr int kMostHalvings = 30;         // of such a piece
+constexpr int kMostCutHalvings = 30;      // of such a piece
 constexpr std::size_t kMostPathPieces = 200'000;
 constexpr double kNoBend = 2e-9;  // mm or rad between a chord and its curve: what inverses leave
 
@@ -61,7 +61,7 @@ class Cutter {
         if (!end) return unreachable(end.error(), uncut.to);
         if (Planned checked = check_target_ranges(setup_, *end); !checked) return checked;
         if (follows(uncut, *mid, *end)) return add(uncut, *mid, *end);
-        if (uncut.halvings >= kMostHalvings) return jump(uncut, *end);
+        if (uncut.halvings >= kMostCutHalvings) return jump(uncut, *end);
         ahead_.push_back({middle, uncut.to, uncut.halvings + 1});
         ahead_.push_back({uncut.from, middle, uncut.halvings + 1});
         return {};

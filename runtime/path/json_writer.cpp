@@ -1,11 +1,13 @@
 #include "runtime/path/json_writer.h"
 
 #include <iterator>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "base/text/json.h"
+#include "base/text/json_text.h"
 #include "runtime/path/keys.h"
 
 namespace gsim::path {
@@ -14,9 +16,10 @@ namespace {
 
 constexpr std::size_t kEnough = std::size_t{1} << 16;
 
-// Bytes that are not UTF-8 become U+FFFD.
 std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    fmt::memory_buffer json;
+    text::append_json_string(json, text);
+    return fmt::to_string(json);
 }
 
 class Writer {

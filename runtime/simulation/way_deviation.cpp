@@ -13,10 +13,10 @@ using motion::SegmentKind;
 
 namespace {
 
-constexpr double kMissed_mm = 1e-6;     // nearer to the end of a move is on it
-constexpr double kArcStep_rad = 0.1;    // from point to point
-constexpr int kPointsOfTwo = 16;        // of two motions at once
-constexpr int kPointsOfTurns = 32;      // where the part turns
+constexpr double kMissed_mm = 1e-6;            // nearer to the end of a move is on it
+constexpr double kDeviationArcStep_rad = 0.1;  // from point to point
+constexpr int kPointsOfTwo = 16;               // of two motions at once
+constexpr int kPointsOfTurns = 32;             // where the part turns
 constexpr std::size_t kWaysBehind = 2;  // moves behind the one under way that a rounded corner may come near
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr int kMostTargets = 4;  // of a run that are kept
@@ -31,7 +31,7 @@ int steps_of(const Segment& segment, bool turning) {
     if (turning) return kPointsOfTurns;
     if (segment.beside) return kPointsOfTwo;
     if (segment.kind != SegmentKind::circular) return 1;
-    return static_cast<int>(std::clamp(std::ceil(segment.arc.sweep_rad / kArcStep_rad), 8.0, 32.0));
+    return static_cast<int>(std::clamp(std::ceil(segment.arc.sweep_rad / kDeviationArcStep_rad), 8.0, 32.0));
 }
 
 }  // namespace

@@ -97,12 +97,11 @@ TEST_F(Confined, SoItIsWithAControllerModule) {
     const std::string names = "r:" + path("elsewhere/secret");
     const Ended alone = escape(names, {"here/part.nc"});
     if (holds(alone.err, "reached")) GTEST_SKIP() << "this system confines no process";
-    const Ended beside =
-        escape(names, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"), "here/part.nc"});
+    const Ended beside = escape(names, {"--rcs", tests::default_module_path(), "here/part.nc"});
     EXPECT_EQ(beside.status, 0) << beside.err;
     EXPECT_TRUE(holds(beside.err, names + ": Permission denied")) << beside.err;
-    const Ended within = escape(names, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"),
-                                        "--rcs-in-process", "here/part.nc"});
+    const Ended within =
+        escape(names, {"--rcs", tests::default_module_path(), "--rcs-in-process", "here/part.nc"});
     EXPECT_EQ(within.status, 0) << within.err;
     EXPECT_TRUE(holds(within.err, names + ": reached")) << within.err;
 }

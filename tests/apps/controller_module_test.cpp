@@ -35,8 +35,7 @@ class ControllerModule : public Apps {
 TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     const std::string part = write("part.nc", kPart);
     const json built_in = text::parse_json<json>(gsim_run({part, "--json"}).out);
-    const Ended e =
-        gsim_run({part, "--json", "--explain", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
+    const Ended e = gsim_run({part, "--json", "--explain", "--rcs", tests::default_module_path()});
     ASSERT_EQ(e.status, 0) << e.err;
     const json module = text::parse_json<json>(e.out);
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
@@ -64,7 +63,7 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
     };
     const json built_in = run(part, {});
     ASSERT_EQ(built_in["status"], "completed") << built_in["alarm"];
-    const json module = run(part, {"--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
+    const json module = run(part, {"--rcs", tests::default_module_path()});
     EXPECT_EQ(module["status"], "completed") << module["alarm"];
     EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
     for (const char* axis : {"X", "Y", "Z"}) {
@@ -105,8 +104,7 @@ TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThis
     const std::string part = write("part.nc", kPart);
     const std::string alone = folder_ / "gsim";
     std::filesystem::copy_file(std::filesystem::canonical(tests::program_path("gsim")), alone);
-    std::vector<std::string> arguments{"run", "--quiet", part, "--rcs",
-                                       tests::build_path("lib/libgsim_rcs_default.so")};
+    std::vector<std::string> arguments{"run", "--quiet", part, "--rcs", tests::default_module_path()};
     const Ended refused = run_program(alone, arguments, folder_);
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(holds(refused.err, "the program gsim-rcs-host is neither in '")) << refused.err;
@@ -193,8 +191,8 @@ TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
     const std::vector<std::string> usual{part, "--machine",
                                          sample(std::string("machines/") + GetParam().machine), "--json"};
     const Ended a = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
-    const Ended b = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs",
-                                tests::build_path("lib/libgsim_rcs_default.so")});
+    const Ended b =
+        run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs", tests::default_module_path()});
     const json built_in = text::parse_json<json>(a.out), module = text::parse_json<json>(b.out);
     ASSERT_EQ(module["alarm"], nullptr) << b.out;
     EXPECT_EQ(module["status"], built_in["status"]);
@@ -213,7 +211,7 @@ TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
     const std::string part = program();
     const std::vector<std::string> usual{
         part,     "--machine", sample(std::string("machines/") + GetParam().machine),
-        "--json", "--rcs",     tests::build_path("lib/libgsim_rcs_default.so")};
+        "--json", "--rcs",     tests::default_module_path()};
     const Ended own = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
     const Ended here = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs-in-process"});
     EXPECT_EQ(own.status, here.status);
@@ -239,7 +237,7 @@ TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
     const std::string part = write("part.nc", "G1 A10 B-60 F3000\nM2\n");
     const json report =
         text::parse_json<json>(gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs",
-                                         tests::build_path("lib/libgsim_rcs_default.so")})
+                                         tests::default_module_path()})
                                    .out);
     EXPECT_EQ(report["alarm"]["message"], "axis B would go to -60 deg, past its limit of -45 deg");
     EXPECT_EQ(report["alarm"]["axis"], "B");

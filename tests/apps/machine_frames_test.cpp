@@ -148,9 +148,8 @@ for _, name in ipairs{"base", "tool"} do
 end
 G1{x=200}
 )");
-    const json report = run({refused, "--machine", machine_, "--cell", cell_, "--rcs",
-                             tests::build_path("lib/libgsim_rcs_default.so")},
-                            0);
+    const json report =
+        run({refused, "--machine", machine_, "--cell", cell_, "--rcs", tests::default_module_path()}, 0);
     EXPECT_TRUE(report["collisions"].empty());
 }
 

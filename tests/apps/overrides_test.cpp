@@ -107,7 +107,7 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
 
 TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
     for (const std::string option : {"--feed-override", "--rapid-override", "--spindle-override"}) {
-        refused("router3", {option, "50", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")},
+        refused("router3", {option, "50", "--rcs", tests::default_module_path()},
                 option + " does not go with --rcs: a module has an override of its own, SetOverrideSpeed");
     }
 }

@@ -169,8 +169,7 @@ TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
 // A module is stopped at the end of the step in which it touches; ours brakes as the planner in process does.
 TEST_F(Probe, AControllerModuleIsStopped) {
     const std::string program = "G21 F600\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nM2\n";
-    const json r =
-        report(program, {"--probe", "x=100", "--rcs", tests::build_path("lib/libgsim_rcs_default.so")});
+    const json r = report(program, {"--probe", "x=100", "--rcs", tests::default_module_path()});
     double trip_mm = 0;
     double found = 0;
     double stop_mm = 0;

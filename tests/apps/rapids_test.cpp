@@ -132,10 +132,9 @@ TEST_F(Rapids, LengthsTrajectoryAndBoundAreOfTheDrivenWay) {
 
 // In steps, with our own planner as a module: it is told the rule.
 TEST_F(Rapids, ModulesAreToldTheRule) {
-    const json r = report(false, 1e4,
-                          {"--rcs", tests::build_path("lib/libgsim_rcs_default.so"), "--cell",
-                           write("cell.toml", post_at(100, 100))},
-                          1);
+    const json r =
+        report(false, 1e4,
+               {"--rcs", tests::default_module_path(), "--cell", write("cell.toml", post_at(100, 100))}, 1);
     EXPECT_EQ(r["collisions"].size(), 1U);
 }
 

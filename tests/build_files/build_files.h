@@ -15,5 +15,7 @@ std::string source_path(std::string_view relative = {});
 std::string build_path(std::string_view relative);
 /// The path of a program of this build: `program_path("gsim-run")`.
 std::string program_path(std::string_view name);
+/// The controller module that has the planner of this build.
+std::string default_module_path();
 
 }  // namespace gsim::tests

@@ -28,8 +28,7 @@ inline std::unique_ptr<rrs::Shell> make_in_process(const PlannerSetup& setup) {
 
 inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup) {
     const rcs::RcsMachine machine(setup);
-    static const auto library =
-        rrs::RcsLibrary::load(tests::build_path("lib/libgsim_rcs_default.so"), machine.get());
+    static const auto library = rrs::RcsLibrary::load(tests::default_module_path(), machine.get());
     if (!library) throw std::runtime_error(library.error());
     auto module = rrs::RcsModule::create(*library, machine.get());
     if (!module) throw std::runtime_error(module.error());
@@ -37,9 +36,8 @@ inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup
 }
 
 inline std::unique_ptr<rrs::Shell> make_through_process(const PlannerSetup& setup) {
-    auto module =
-        rrs::begin_rcs_process(tests::program_path("gsim-rcs-host"),
-                               tests::build_path("lib/libgsim_rcs_default.so"), rcs::RcsMachine(setup).get());
+    auto module = rrs::begin_rcs_process(tests::program_path("gsim-rcs-host"), tests::default_module_path(),
+                                         rcs::RcsMachine(setup).get());
     if (!module) throw std::runtime_error(module.error());
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
 }

@@ -270,8 +270,7 @@ TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine.controller.planner = kind;
     machine.controller.rest_s = 0.01;
     Simulator in_process(machine, {});
-    Simulator stepped(machine, {},
-                      module_of(place, tests::build_path("lib/libgsim_rcs_default.so"), machine));
+    Simulator stepped(machine, {}, module_of(place, tests::default_module_path(), machine));
     put_program(in_process);
     put_program(stepped);
     const Report exact = in_process.finish("p");
