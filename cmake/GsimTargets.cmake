@@ -119,8 +119,6 @@ endfunction()
 set(GSIM_PLAIN_OPTIONS "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set(GSIM_PLAIN_OPTIONS "$<$<CONFIG:Release>:-O0;-U_FORTIFY_SOURCE>")
-elseif(GSIM_SANITIZE)
-    set(GSIM_PLAIN_OPTIONS -O0)  # half the time of a unit
 endif()
 function(gsim_test_options name optimisation)
     # g++ 12 takes "text" + std::string for an overlapping or endless copy (GCC bug 105651).
