@@ -1,6 +1,5 @@
 #include "calibrate/geometry/geometry_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,8 @@
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+
+#include "base/dense/symmetric.h"
 
 namespace gsim::calibrate {
 
@@ -225,8 +226,7 @@ class Task {
     }
 
     void take(const Standing& standing) {
-        const Eigen::MatrixXd inverse = information(standing).ldlt().solve(
-            Eigen::MatrixXd::Identity(standing.values.size(), standing.values.size()));
+        const Eigen::MatrixXd inverse = base::inverse_of_positive(information(standing));
         fit_.covariance = standing.units().asDiagonal() * inverse * standing.units().asDiagonal();
         const Eigen::VectorXd values = standing.in_units();
         fit_.geometry = deviated_.at(chosen_, values);

@@ -1,11 +1,11 @@
 #include "calibrate/geometry/identify.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "base/dense/symmetric.h"
 
 namespace gsim::calibrate {
 
@@ -21,17 +21,13 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& square, const std::vector<Eigen::
     return square(at, at);
 }
 
-double least_eigenvalue(const Eigen::MatrixXd& square) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(square, Eigen::EigenvaluesOnly).eigenvalues()[0];
-}
-
 /// Which of the chosen ones do what deviation `k` does, and how much of each.
 std::string why_held(const Eigen::MatrixXd& gram, std::span<const Deviation> deviations,
                      const std::vector<Eigen::Index>& chosen, Eigen::Index k) {
     if (gram(k, k) < kLeastTold) return "moves no tip that was measured";
     if (chosen.empty()) return "is not told by these tips";
     const Eigen::VectorXd with = gram(chosen, k);
-    const Eigen::VectorXd share = part_of(gram, chosen).ldlt().solve(with);
+    const Eigen::VectorXd share = base::solve_positive(part_of(gram, chosen), with);
     const double left = std::max(gram(k, k) - with.dot(share), 0.0);
     std::string same;
     const double usual = usual_size(deviations[static_cast<std::size_t>(k)]);
@@ -62,16 +58,13 @@ Identified identify(const Eigen::MatrixXd& slopes, std::span<const Deviation> de
     Identified found;
     // The singular values of the slopes are the roots of the eigenvalues of their squares: what that loses to
     // rounding lies at 1e-8 of the greatest one, and a machine of 1 m that is measured to 1 um has 1e5 there.
-    found.singular_values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly)
-                                .eigenvalues()
-                                .cwiseMax(0)
-                                .cwiseSqrt()
-                                .reverse();
+    found.singular_values = base::symmetric_eigenvalues(gram).cwiseMax(0).cwiseSqrt().reverse();
     const auto rank = static_cast<std::size_t>((found.singular_values.array() > kLeastTold).count());
     std::vector<Eigen::Index> chosen;
     for (Eigen::Index k = 0; k < count && chosen.size() < rank; ++k) {
         chosen.push_back(k);
-        if (!(least_eigenvalue(part_of(gram, chosen)) > kLeastTold * kLeastTold)) chosen.pop_back();
+        if (!(base::symmetric_eigenvalues(part_of(gram, chosen))[0] > kLeastTold * kLeastTold))
+            chosen.pop_back();
     }
     for (Eigen::Index k = 0; k < count; ++k) {
         const auto index = static_cast<std::size_t>(k);

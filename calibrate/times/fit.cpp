@@ -1,6 +1,5 @@
 #include "calibrate/times/fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
+#include "base/dense/symmetric.h"
 #include "calibrate/times/wait_start.h"
 
 namespace gsim::calibrate {
@@ -279,7 +279,7 @@ void judge(const Times& times, const std::vector<Datum>& data, const std::vector
         std::max(deviation(squares, data.size(), static_cast<std::size_t>(count)), kLeastNoise);
     const Eigen::MatrixXd told = slopes.transpose() * slopes / (noise * noise);
     const Eigen::MatrixXd known = told + Eigen::MatrixXd::Identity(count, count) / (kUnknown * kUnknown);
-    fit.covariance = known.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+    fit.covariance = base::inverse_of_positive(known);
     fit.covariance += between_ends(ends, data.size());
     for (Eigen::Index k = 0; k < count; ++k) {
         FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(k)];

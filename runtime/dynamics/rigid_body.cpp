@@ -1,8 +1,8 @@
 #include "runtime/dynamics/rigid_body.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <fmt/format.h>
+
+#include "base/dense/symmetric.h"
 
 namespace gsim::dynamics {
 
@@ -35,8 +35,7 @@ RigidBody joined(const RigidBody& a, const RigidBody& b) {
 }
 
 std::optional<std::string> find_inertia_fault(const Eigen::Matrix3d& inertia_kg_m2) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia_kg_m2, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d& moments = solver.eigenvalues();  // the least first
+    const Eigen::Vector3d moments = base::symmetric_eigenvalues(inertia_kg_m2);
     const double rounding = kRounding * moments.cwiseAbs().maxCoeff();
     if (moments[0] < -rounding)
         return fmt::format("one of its principal moments is negative: {:.6g} kg m2", moments[0]);

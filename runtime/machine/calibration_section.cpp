@@ -1,9 +1,10 @@
 #include "runtime/machine/calibration_section.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 
+#include "base/dense/symmetric.h"
 #include "runtime/machine/figure.h"
 #include "runtime/machine/number_list.h"
 
@@ -48,8 +49,7 @@ bool is_covariance(const std::vector<std::vector<double>>& rows) {
     constexpr double kRounding = 1e-6;
     const double most = matrix.cwiseAbs().maxCoeff();
     if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kRounding * most) return false;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()[0] >= -kRounding * most;
+    return base::symmetric_eigenvalues(matrix)[0] >= -kRounding * most;
 }
 
 }  // namespace

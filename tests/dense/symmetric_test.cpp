@@ -1,0 +1,63 @@
+#include "base/dense/symmetric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace gsim::base {
+namespace {
+
+/// The matrix of the second difference, whose eigenvalues are known: 2 - 2 cos(k pi / (size + 1)).
+Eigen::MatrixXd second_difference(Eigen::Index size) {
+    Eigen::MatrixXd matrix = 2 * Eigen::MatrixXd::Identity(size, size);
+    matrix.diagonal(1).setConstant(-1);
+    matrix.diagonal(-1).setConstant(-1);
+    return matrix;
+}
+
+double eigenvalue_of_difference(Eigen::Index k, Eigen::Index size) {
+    return 2 - 2 * std::cos(static_cast<double>(k) * std::numbers::pi / static_cast<double>(size + 1));
+}
+
+TEST(Symmetric, EigenvaluesAscendToTheKnownOnes) {
+    for (const Eigen::Index size : {1, 2, 3, 17}) {
+        const Eigen::VectorXd values = symmetric_eigenvalues(second_difference(size));
+        ASSERT_EQ(values.size(), size);
+        for (Eigen::Index k = 0; k < size; ++k)
+            EXPECT_NEAR(values[k], eigenvalue_of_difference(k + 1, size), 1e-13) << size;
+    }
+}
+
+TEST(Symmetric, VectorsAreOrthogonalAndOnlyStretched) {
+    const Eigen::MatrixXd matrix = second_difference(9);
+    const SymmetricEigen eigen = symmetric_eigen(matrix);
+    EXPECT_TRUE((eigen.vectors.transpose() * eigen.vectors).isIdentity(1e-13));
+    EXPECT_TRUE((matrix * eigen.vectors).isApprox(eigen.vectors * eigen.values.asDiagonal(), 1e-13));
+}
+
+TEST(Symmetric, SolvesAndInverts) {
+    // Of the second difference: min(i, k) (size + 1 - max(i, k)) / (size + 1).
+    const Eigen::Index size = 6;
+    const Eigen::MatrixXd matrix = second_difference(size);
+    const Eigen::MatrixXd inverse = inverse_of_positive(matrix);
+    for (Eigen::Index i = 1; i <= size; ++i) {
+        for (Eigen::Index k = 1; k <= size; ++k) {
+            const auto less = static_cast<double>(std::min(i, k)), more = static_cast<double>(std::max(i, k));
+            EXPECT_NEAR(inverse(i - 1, k - 1), less * (7 - more) / 7, 1e-13);
+        }
+    }
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
+    EXPECT_TRUE((matrix * solve_positive(matrix, right)).isApprox(right, 1e-12));
+}
+
+TEST(Symmetric, ReadsTheLowerTriangleAlone) {
+    Eigen::MatrixXd lower = second_difference(4);
+    lower.triangularView<Eigen::StrictlyUpper>().setConstant(1e9);
+    EXPECT_TRUE(symmetric_eigenvalues(lower).isApprox(symmetric_eigenvalues(second_difference(4))));
+    EXPECT_TRUE(inverse_of_positive(lower).isApprox(inverse_of_positive(second_difference(4))));
+}
+
+}  // namespace
+}  // namespace gsim::base
