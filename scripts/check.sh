@@ -133,7 +133,7 @@ stage "first result" "$product|^Makefile|^scripts/(setup|run-wheel)" make run
 stage "tests" . make test
 stage "WebAssembly" "$product|^scripts/wasm" make wasm
 stage "page in Chromium" "$product|^scripts/studio" env LANES=2 make studio-test
-stage "sanitizers" "$cpp|CMakeLists" scripts/sanitized-tests.sh "$since"
+stage "sanitizers" "$cpp" scripts/sanitized-tests.sh "$since"
 stage "fuzzing of changed readers" "$cpp" scripts/fuzz-changed.sh "$since"
 if [[ $tier == full ]]; then
     # The second build is made from a fresh copy, which is installed from afterwards and deleted.

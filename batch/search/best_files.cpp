@@ -25,7 +25,7 @@ using nlohmann::json;
 
 constexpr const char *kProgram = ".nc", *kMachine = ".machine.toml", *kCell = ".cell.toml",
                      *kRobots = ".robots.toml", *kData = ".data.txt";
-constexpr std::array kEndings{kProgram, kMachine, kCell, kRobots, kData};
+constexpr std::array kFileEndings{kProgram, kMachine, kCell, kRobots, kData};
 
 /// Keys of machine files, cells and files of robots that name files.
 constexpr std::array kFileKeys{"machine", "machine_data", "mesh", "cell"};
@@ -147,7 +147,8 @@ std::vector<std::string> files_of_variants(const Plan& plan, const std::string& 
     std::vector<std::string> files;
     for (std::uint64_t i = 0; i < jobs.size(); ++i) {
         const std::string stem = stem_of(jobs.job(i), jobs.size());
-        for (const char* ending : kEndings) files.push_back((fs::path(folder) / (stem + ending)).string());
+        for (const char* ending : kFileEndings)
+            files.push_back((fs::path(folder) / (stem + ending)).string());
     }
     return files;
 }

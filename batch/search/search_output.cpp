@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kWidth_px = 640, kHeight_px = 220, kLeft_px = 60, kFoot_px = 24;
+constexpr double kTrialsWidth_px = 640, kTrialsHeight_px = 220, kLeft_px = 60, kFoot_px = 24;
 
 /// How a figure of several runs is one: what is a way or a time adds up; of the others the worst counts.
 std::optional<double> figure_of(const Trial& trial, std::string_view figure) {
@@ -153,13 +153,16 @@ std::string picture(const std::vector<Dot>& dots) {
         std::max(values[values.size() * 9 / 10], dots.front().allowed ? dots.front().value : least);
     const double span = std::max(most - least, 1e-12);
     const double count = std::max(dots.back().number, 1.0);
-    const auto x = [&](double number) { return kLeft_px + number / count * (kWidth_px - kLeft_px - 10); };
+    const auto x = [&](double number) {
+        return kLeft_px + number / count * (kTrialsWidth_px - kLeft_px - 10);
+    };
     const auto y = [&](double value) {
         const double share = std::clamp((value - least) / span, -0.05, 1.05);
-        return 12 + (1 - share) * (kHeight_px - kFoot_px - 24);
+        return 12 + (1 - share) * (kTrialsHeight_px - kFoot_px - 24);
     };
-    std::string svg = fmt::format(
-        "<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>Trials of the search</title>", kWidth_px, kHeight_px);
+    std::string svg =
+        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>Trials of the search</title>",
+                    kTrialsWidth_px, kTrialsHeight_px);
     std::string line;
     double best = INFINITY;
     for (const Dot& dot : dots) {
@@ -174,11 +177,11 @@ std::string picture(const std::vector<Dot>& dots) {
     return svg + fmt::format(
                      "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" "
                      "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} trials</text></svg>",
-                     line, kLeft_px - 4, y(most) + 4, most, kLeft_px - 4, y(least) + 4, least, kWidth_px - 4,
-                     kHeight_px - 6, dots.size());
+                     line, kLeft_px - 4, y(most) + 4, most, kLeft_px - 4, y(least) + 4, least,
+                     kTrialsWidth_px - 4, kTrialsHeight_px - 6, dots.size());
 }
 
-constexpr const char* kPage = R"(<!DOCTYPE html>
+constexpr const char* kSearchPage = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gsim-optimise</title><style>
 :root {{ color-scheme: light dark; }} body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }}
 pre {{ overflow-x: auto; }} svg {{ width: 100%; max-width: 640px; }} text {{ font-size: 10px; text-anchor: end; fill: currentColor; }}
@@ -220,7 +223,7 @@ std::string to_json(const SearchPlan& search, const SearchState& state, const st
 tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
                                                const std::optional<Proof>& proof, Database& results) {
     return dots_of(results, state.search).map([&](const std::vector<Dot>& dots) {
-        return fmt::format(fmt::runtime(kPage), text::xml_text(search.plan.name), picture(dots),
+        return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(dots),
                            text::xml_text(to_text(search, state, proof)));
     });
 }

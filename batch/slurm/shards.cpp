@@ -46,7 +46,7 @@ tl::expected<std::string, std::string> read_file(const fs::path& file) {
 
 /// Calls `take(name, member)` for each member that is a text or a number.
 template <typename State, typename Take>
-void for_each_plain(State& state, const Take& take) {
+void for_each_state_field(State& state, const Take& take) {
     take("results", state.results);
     take("batch", state.batch);
     take("token", state.token);
@@ -84,7 +84,7 @@ std::uint64_t shard_count(std::uint64_t jobs, std::uint64_t each, std::uint64_t 
 
 tl::expected<void, std::string> write_shards(const fs::path& folder, const Shards& shards) {
     json text = json::object();
-    for_each_plain(shards, [&](const char* name, const auto& value) { text[name] = value; });
+    for_each_state_field(shards, [&](const char* name, const auto& value) { text[name] = value; });
     text["todo"] = ranges_of(shards.todo);
     return os::write_file(folder / "shards.json", text.dump(1) + '\n', os::Reach::disk);
 }
@@ -95,7 +95,7 @@ tl::expected<Shards, std::string> read_shards(const fs::path& folder) {
     try {
         const json read = text::parse_json<json>(*text);
         Shards shards;
-        for_each_plain(shards, [&](const char* name, auto& value) { read.at(name).get_to(value); });
+        for_each_state_field(shards, [&](const char* name, auto& value) { read.at(name).get_to(value); });
         shards.todo = numbers_in(read.at("todo"));
         return shards;
     } catch (const json::exception& error) {

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kWidth_px = 640, kHeight_px = 160, kMargin_px = 40;
+constexpr double kHistogramWidth_px = 640, kHistogramHeight_px = 160, kMargin_px = 40;
 constexpr std::size_t kMostPages = 200;  // studies of a page
 
 std::string_view named(std::string_view machine) {
@@ -95,32 +95,33 @@ std::string picture(const Study& study) {
     for (const Bin& bin : bins) most = std::max(most, bin.count);
     const double from = study.time.least, span = std::max(study.time.most - from, 1e-12);
     const auto x = [&](double value) {
-        return kMargin_px + (value - from) / span * (kWidth_px - 2 * kMargin_px);
+        return kMargin_px + (value - from) / span * (kHistogramWidth_px - 2 * kMargin_px);
     };
     const auto y = [&](double count) {
-        return kHeight_px - 30 - count / static_cast<double>(most) * (kHeight_px - 50);
+        return kHistogramHeight_px - 30 - count / static_cast<double>(most) * (kHistogramHeight_px - 50);
     };
-    std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">", kWidth_px, kHeight_px);
+    std::string svg =
+        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">", kHistogramWidth_px, kHistogramHeight_px);
     for (const Bin& bin : bins)
         svg += fmt::format(
             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{:.6g} to {:.6g} s: "
             "{}</title></rect>",
             x(bin.from), y(static_cast<double>(bin.count)), std::max(x(bin.to) - x(bin.from) - 0.5, 0.5),
-            kHeight_px - 30 - y(static_cast<double>(bin.count)), bin.from, bin.to, bin.count);
+            kHistogramHeight_px - 30 - y(static_cast<double>(bin.count)), bin.from, bin.to, bin.count);
     for (const Percentile& each : study.time.percentiles) {
         if (each.share != 0.05 && each.share != 0.5 && each.share != 0.95) continue;
         svg += fmt::format(
             "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"12\" y2=\"{1}\"/><text x=\"{0:.1f}\" y=\"10\">{2:g} "
             "%</text>",
-            x(each.value), kHeight_px - 30, 100 * each.share);
+            x(each.value), kHistogramHeight_px - 30, 100 * each.share);
     }
     return svg +
            fmt::format("<text x=\"{}\" y=\"{}\">{:.6g} s</text><text x=\"{}\" y=\"{}\">{:.6g} s</text></svg>",
-                       kMargin_px, kHeight_px - 12, study.time.least, kWidth_px - kMargin_px, kHeight_px - 12,
-                       study.time.most);
+                       kMargin_px, kHistogramHeight_px - 12, study.time.least,
+                       kHistogramWidth_px - kMargin_px, kHistogramHeight_px - 12, study.time.most);
 }
 
-constexpr const char* kPage = R"(<!DOCTYPE html>
+constexpr const char* kStudyPage = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>gsim-batch</title><style>
 body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222; }}
 pre {{ background: #f5f5f5; padding: 1em; overflow-x: auto; }}
@@ -185,7 +186,7 @@ std::string to_html(const std::vector<Study>& studies, const std::vector<Compari
     }
     if (studies.size() > kMostPages)
         body += fmt::format("<p>{} more are in the JSON.</p>\n", studies.size() - kMostPages);
-    return fmt::format(fmt::runtime(kPage), body);
+    return fmt::format(fmt::runtime(kStudyPage), body);
 }
 
 }  // namespace gsim::batch

@@ -60,7 +60,7 @@ json value_in(const Statement& row, int column) {
     return value.is_discarded() ? json(text) : value;
 }
 
-std::string_view named(std::string_view machine) {
+std::string_view machine_name(std::string_view machine) {
     return machine.empty() ? std::string_view("built-in machine") : machine;
 }
 
@@ -70,7 +70,7 @@ std::string junit_case(const Statement& row) {
     if (settings != "{}") name += " " + settings;
     const std::string head =
         fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.3f}")",
-                    text::xml_text(named(row.text(0))), text::xml_text(name), row.number(5));
+                    text::xml_text(machine_name(row.text(0))), text::xml_text(name), row.number(5));
     if (row.text(2) == "completed" && row.text(3).empty()) return head + "/>\n";
     return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\">{}{}</failure>\n    </testcase>\n",
                        head, text::xml_text(row.text(3).empty() ? row.text(2) : row.text(3)),
@@ -161,7 +161,7 @@ SqlDone write_junit(Database& results, const Sink& sink) {
     if (!cases) return Fault(cases.error());
     for (const Suite& suite : suites) {
         if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
-                              text::xml_text(named(suite.machine)), suite.runs, suite.failed)))
+                              text::xml_text(machine_name(suite.machine)), suite.runs, suite.failed)))
             return Fault("it cannot be written");
         cases->bind(1, suite.machine);
         while (true) {
@@ -193,13 +193,14 @@ SqlDone write_sarif(Database& results, const Sink& sink) {
 
 tl::expected<std::string, std::string> summary(Database& results) {
     std::string text;
-    const auto machines = for_each_row(
-        results, "SELECT machine, controller, runs, failed, cycle_time_s FROM machines",
-        [&](const Statement& row) {
-            text += fmt::format("{:<40} {:<16} {:>8} runs {:>8} failed {:>14.3f} s\n", named(row.text(0)),
-                                row.text(1), row.whole(2), row.whole(3), row.number(4));
-            return true;
-        });
+    const auto machines =
+        for_each_row(results, "SELECT machine, controller, runs, failed, cycle_time_s FROM machines",
+                     [&](const Statement& row) {
+                         text += fmt::format("{:<40} {:<16} {:>8} runs {:>8} failed {:>14.3f} s\n",
+                                             machine_name(row.text(0)), row.text(1), row.whole(2),
+                                             row.whole(3), row.number(4));
+                         return true;
+                     });
     if (!machines) return Fault(machines.error());
     bool headed = false;
     const auto causes = for_each_row(

@@ -11,7 +11,7 @@ namespace gsim::batch {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;  // of all files that are kept
+constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20U;  // of all files that are kept
 constexpr std::size_t kMostOfFile = std::size_t{2} << 30U;
 constexpr std::int64_t kNsPerS = 1'000'000'000;
 
@@ -62,7 +62,7 @@ void InputFiles::keep(const std::string& name, Kept kept) {
         kept.place = used_.insert(used_.begin(), name);
     }
     files_.insert_or_assign(name, std::move(kept));
-    while (bytes_ > kMostBytes && !used_.empty()) forget_oldest();
+    while (bytes_ > kMaxKeptBytes && !used_.empty()) forget_oldest();
 }
 
 void InputFiles::forget_oldest() {

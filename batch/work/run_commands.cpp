@@ -60,38 +60,38 @@ bool is_file_name(const std::string& machine) {
     return machine.find_first_of("./") != std::string::npos;
 }
 
-/// What a command has of a run, as it is gathered.
-struct Gathered {
+/// The words and files that a command takes from a run.
+struct CommandParts {
     std::vector<std::string> words;
     std::vector<std::string> files;
     std::vector<std::string> left_out;
 };
 
-void gather(Gathered& gathered, std::string_view option, const json& value, bool for_studio) {
+void gather(CommandParts& parts, std::string_view option, const json& value, bool for_studio) {
     const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
                                      [&](const Spelling& each) { return each.option == option; });
     if (option == "joint_speeds") return;  // which changes no run
     const bool is_of_collisions = option == "collisions" && value.is_boolean();
     if (is_of_collisions && value == json(true)) return;  // as it is without a word
     if (is_of_collisions && !for_studio) {
-        gathered.words.emplace_back("--no-collisions");
+        parts.words.emplace_back("--no-collisions");
     } else if (found == kSpellings.end() || (for_studio && !found->is_of_studio)) {
-        gathered.left_out.emplace_back(option);
+        parts.left_out.emplace_back(option);
     } else if (value.is_boolean()) {
-        if (value.get<bool>()) gathered.words.emplace_back(found->word);
+        if (value.get<bool>()) parts.words.emplace_back(found->word);
     } else {
         const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
-        gathered.words.emplace_back(found->word);
-        gathered.words.push_back(found->is_file ? file_word(word) : word);
-        if (found->is_file) gathered.files.push_back(word);
+        parts.words.emplace_back(found->word);
+        parts.words.push_back(found->is_file ? file_word(word) : word);
+        if (found->is_file) parts.files.push_back(word);
     }
 }
 
-Gathered gathered_of(const RunTold& run, bool for_studio) {
-    Gathered gathered;
+CommandParts command_parts(const RunTold& run, bool for_studio) {
+    CommandParts parts;
     if (!run.machine.empty()) {
-        gathered.words.insert(gathered.words.end(), {"--machine", file_word(run.machine)});
-        if (is_file_name(run.machine)) gathered.files.push_back(run.machine);
+        parts.words.insert(parts.words.end(), {"--machine", file_word(run.machine)});
+        if (is_file_name(run.machine)) parts.files.push_back(run.machine);
     }
     json options = text::try_parse_json<json>(run.options);
     if (!options.is_object()) options = json::object();
@@ -100,18 +100,18 @@ Gathered gathered_of(const RunTold& run, bool for_studio) {
         if (key.starts_with(kOfRun)) {
             options[key.substr(kOfRun.size())] = value;
         } else {
-            gathered.left_out.push_back(key);
+            parts.left_out.push_back(key);
         }
     }
-    for (const auto& [option, value] : options.items()) gather(gathered, option, value, for_studio);
-    gathered.files.push_back(run.program);
-    return gathered;
+    for (const auto& [option, value] : options.items()) gather(parts, option, value, for_studio);
+    parts.files.push_back(run.program);
+    return parts;
 }
 
-OpenCommand command_of(std::vector<std::string> head, Gathered gathered, std::vector<std::string> tail) {
-    head.insert(head.end(), gathered.words.begin(), gathered.words.end());
+OpenCommand command_of(std::vector<std::string> head, CommandParts parts, std::vector<std::string> tail) {
+    head.insert(head.end(), parts.words.begin(), parts.words.end());
     head.insert(head.end(), tail.begin(), tail.end());
-    return {.words = std::move(head), .left_out = std::move(gathered.left_out)};
+    return {.words = std::move(head), .left_out = std::move(parts.left_out)};
 }
 
 /// A folder that has all of the files; empty: none that their names tell.
@@ -132,21 +132,21 @@ std::string folder_of_all(const std::vector<std::string>& files) {
 
 OpenCommand studio_command(const RunTold& run) {
     if (is_path(run.program)) return {};
-    Gathered gathered = gathered_of(run, true);
-    const std::string folder = folder_of_all(gathered.files);
+    CommandParts parts = command_parts(run, true);
+    const std::string folder = folder_of_all(parts.files);
     if (folder.empty()) return {};
-    return command_of({"gsim", "studio"}, std::move(gathered), {file_word(folder), file_word(run.program)});
+    return command_of({"gsim", "studio"}, std::move(parts), {file_word(folder), file_word(run.program)});
 }
 
 OpenCommand view_command(const RunTold& run) {
     if (is_path(run.program)) return {};
-    return command_of({"gsim", "run", "--view", std::string(kViewFile)}, gathered_of(run, false),
+    return command_of({"gsim", "run", "--view", std::string(kViewFile)}, command_parts(run, false),
                       {file_word(run.program)});
 }
 
 OpenCommand run_command(const RunTold& run) {
     if (is_path(run.program)) return {};
-    return command_of({"gsim", "run"}, gathered_of(run, false), {file_word(run.program)});
+    return command_of({"gsim", "run"}, command_parts(run, false), {file_word(run.program)});
 }
 
 RunTold told_of(const Job& job) {

@@ -20,7 +20,7 @@ std::optional<double> optional_in(const json& value) {
 
 /// Calls `take(name, member)` for each member that is a text, a number or a count.
 template <typename Row, typename Take>
-void for_each_plain(Row& row, const Take& take) {
+void for_each_row_field(Row& row, const Take& take) {
     take("number", row.number);
     take("status", row.status);
     take("cause", row.cause);
@@ -66,7 +66,7 @@ void for_each_optional(Row& row, const Take& take) {
 
 std::string print_row(const RunRow& row) {
     json line = json::object();
-    for_each_plain(row, [&](const char* name, const auto& value) { line[name] = value; });
+    for_each_row_field(row, [&](const char* name, const auto& value) { line[name] = value; });
     for_each_optional(row, [&](const char* name, const std::optional<double>& value) {
         line[name] = optional_json(value);
     });
@@ -79,7 +79,7 @@ tl::expected<RunRow, std::string> read_row(std::string_view line) {
     try {
         const json read = text::parse_json<json>(line);
         RunRow row;
-        for_each_plain(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
+        for_each_row_field(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
         for_each_optional(
             row, [&](const char* name, std::optional<double>& value) { value = optional_in(read.at(name)); });
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});

@@ -22,7 +22,7 @@ constexpr double kLeastGain_1_s = 1, kMostGain_1_s = 1e5;
 constexpr double kLeastError = 1e-7;  // mm or deg, root mean square
 constexpr double kFinest = 2e-5;      // mm or deg, root mean square: no encoder, and no clock, tells more
 constexpr double kWorthAFigure = 10;  // of the criterion: strong evidence (Kass, Raftery, 1995)
-constexpr int kSteps = 60;
+constexpr int kMaxServoSteps = 60;
 
 struct Key {
     const char* name;
@@ -158,7 +158,7 @@ Solved solve(const AxisRecord& record, Model model) {
     }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = kSteps;
+    options.max_num_iterations = kMaxServoSteps;
     options.function_tolerance = 1e-10;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;

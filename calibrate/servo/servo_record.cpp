@@ -15,7 +15,7 @@ namespace {
 
 using Records = tl::expected<std::vector<AxisRecord>, std::string>;
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kLineBlanks = " \t\r\n";
 constexpr std::size_t kLeastSamples = 20;
 
 char upper(char letter) {
@@ -35,9 +35,9 @@ struct AxisColumns {
 };
 
 /// Takes samples, a line each.
-class Gathered {
+class AxisSamples {
   public:
-    explicit Gathered(std::vector<AxisColumns> columns) : columns_(std::move(columns)) {
+    explicit AxisSamples(std::vector<AxisColumns> columns) : columns_(std::move(columns)) {
         for (const AxisColumns& axis : columns_) records_.push_back({axis.letter, {}, {}, {}});
     }
 
@@ -90,7 +90,7 @@ std::vector<AxisColumns> named_columns(const Cells& heading) {
 }
 
 Records read_named(std::string_view text) {
-    std::optional<Gathered> gathered;
+    std::optional<AxisSamples> gathered;
     std::size_t time = 0;
     const auto heading = [&](const Cells& cells) -> tl::expected<void, std::string> {
         const auto at = column_of(cells, "t_s");
@@ -133,7 +133,7 @@ Records read_columns(std::string_view text, const ServoForm& form) {
         return tl::unexpected(
             fmt::format("'{}' has no axis with both its set point (X) and its place (x)", form.columns));
     }
-    Gathered gathered(std::move(columns));
+    AxisSamples gathered(std::move(columns));
     const auto take = [&](int line, double t_s, const Cells& words) -> tl::expected<void, std::string> {
         if (words.size() == form.columns.size() && gathered.add(t_s, words)) return {};
         return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)", line,
@@ -147,7 +147,7 @@ Records read_columns(std::string_view text, const ServoForm& form) {
 }  // namespace
 
 Records read_servo_record(std::string_view text, const ServoForm& form) {
-    const std::size_t start = text.find_first_not_of(kBlanks);
+    const std::size_t start = text.find_first_not_of(kLineBlanks);
     if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
     const bool numbers = is_halsampler(text.substr(start, text.find('\n', start) - start));
     return numbers ? read_columns(text, form) : read_named(text.substr(start));

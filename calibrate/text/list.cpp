@@ -13,7 +13,7 @@ namespace gsim::calibrate {
 namespace {
 
 // No tab: where tabs are between, one at the beginning is an empty cell.
-constexpr std::string_view kBlanks = " \"\r";
+constexpr std::string_view kCellBlanks = " \"\r";
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Cells cells_of(std::string_view line, std::string_view between) {
     Cells cells;
     while (true) {
         const std::size_t end = line.find_first_of(between);
-        cells.push_back(text::trimmed(line.substr(0, end), kBlanks));
+        cells.push_back(text::trimmed(line.substr(0, end), kCellBlanks));
         if (end == std::string_view::npos) return cells;
         line.remove_prefix(end + 1);
     }
@@ -47,7 +47,7 @@ tl::expected<void, std::string> read_list(std::string_view list, const TakeCells
     std::string_view between = ",";
     for (int number = 1; !list.empty(); ++number) {
         const std::size_t end = std::min(list.find('\n'), list.size());
-        const std::string_view line = text::trimmed(list.substr(0, end), kBlanks);
+        const std::string_view line = text::trimmed(list.substr(0, end), kCellBlanks);
         list.remove_prefix(std::min(end + 1, list.size()));
         if (number == 1) {
             if (line.find('\t') != std::string_view::npos) between = "\t";

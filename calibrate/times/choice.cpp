@@ -16,7 +16,7 @@ constexpr std::size_t kTried = 3;             // of all candidates, by cross-val
 constexpr double kNear = 1.25;                // of the best fit's error: what comes so near is tried, too
 constexpr std::size_t kRefined = 4;           // times at most
 constexpr double kWorthTrying = 0.95;         // of the fit's error: what lessens it by less is not tried
-constexpr int kSteps = 12;                    // of a fit; what is chosen is fitted to its end
+constexpr int kMaxChoiceSteps = 12;           // of a fit; what is chosen is fitted to its end
 constexpr int kStepsOfPart = 3;               // from what was fitted to all runs
 constexpr double kErrorsOfKind = 1;           // standard errors
 constexpr double kErrorsOfRefinement = 2;     // of which there are many, so that one may seem to help
@@ -56,7 +56,7 @@ class Trial {
     std::optional<Tried> fit(const Candidate& candidate) {
         scores_.push_back({candidate.name});
         Score& score = scores_.back();
-        const auto fit = fit_times(candidate.machine, runs_, predictor_, {candidate.open, kSteps});
+        const auto fit = fit_times(candidate.machine, runs_, predictor_, {candidate.open, kMaxChoiceSteps});
         if (fit) {
             for (std::size_t i = 0; i < runs_.size(); ++i)
                 score.fitted_percent +=

@@ -20,10 +20,10 @@ namespace {
 
 using Samples = tl::expected<std::vector<MotionSample>, std::string>;
 
-constexpr std::string_view kBlanks = " \t\r\"";
+constexpr std::string_view kRecordBlanks = " \t\r\"";
 
 std::optional<double> number_of(std::string_view text) {
-    return number_in(text::trimmed(text, kBlanks));
+    return number_in(text::trimmed(text, kRecordBlanks));
 }
 
 /// 0, 1, 2 of x, y, z; -1 of anything else.
@@ -33,7 +33,7 @@ int axis_of(char letter) {
 }
 
 /// Gathers samples whose times rise.
-class Gathered {
+class SampleList {
   public:
     void add(double t_s, const Eigen::Vector3d& at_mm) {
         if (samples_.empty() || t_s > samples_.back().t_s) samples_.push_back({t_s, at_mm});
@@ -52,7 +52,7 @@ template <typename Look>
 bool for_each_line(std::string_view text, const Look& look) {
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text::trimmed(text.substr(0, end), kBlanks);
+        const std::string_view line = text::trimmed(text.substr(0, end), kRecordBlanks);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (!line.empty() && !look(number, line)) return false;
     }
@@ -70,7 +70,7 @@ std::optional<CsvColumns> csv_columns(std::string_view line, std::string_view be
     CsvColumns columns;
     const auto names = cells_of(line, between);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string_view name = text::trimmed(names[i], kBlanks);
+        const std::string_view name = text::trimmed(names[i], kRecordBlanks);
         if (name == "t_s" || name == "time_s" || name == "t") columns.time = i;
         const int axis = name.empty() ? -1 : axis_of(name.front());
         if (axis >= 0 && (name.size() == 1 || name.substr(1) == "_mm"))
@@ -100,7 +100,7 @@ std::optional<MotionSample> csv_sample(const Cells& cells, const CsvColumns& col
 }
 
 Samples read_csv(std::string_view text) {
-    Gathered gathered;
+    SampleList gathered;
     std::optional<CsvColumns> columns;
     std::string_view between = ",";
     std::string wrong;
@@ -126,7 +126,7 @@ Samples read_csv(std::string_view text) {
 // halsampler.
 
 Samples read_columns(std::string_view text, const RecordForm& form) {
-    Gathered gathered;
+    SampleList gathered;
     const auto take = [&](int line, double t_s, const Cells& columns) -> tl::expected<void, std::string> {
         if (columns.size() != form.columns.size()) {
             return tl::unexpected(
@@ -166,7 +166,7 @@ std::optional<Eigen::Vector3d> grbl_field(std::string_view report, std::string_v
 }
 
 Samples read_grbl(std::string_view text) {
-    Gathered gathered;
+    SampleList gathered;
     std::string wrong;
     Eigen::Vector3d offset_mm = Eigen::Vector3d::Zero();
     for_each_line(text, [&](int number, std::string_view line) {
@@ -209,7 +209,7 @@ class Changes {
     void add(double t_s, int axis, double value_mm) { changes_[t_s].emplace_back(axis, value_mm); }
 
     Samples take() const {
-        Gathered gathered;
+        SampleList gathered;
         Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();
         for (const auto& [t_s, values] : changes_) {
             for (const auto& [axis, value_mm] : values) at_mm[axis] = value_mm;
@@ -229,7 +229,7 @@ Samples read_shdr(std::string_view text) {
         if (!t_s) return true;
         const auto cells = cells_of(line, "|");
         for (std::size_t i = 1; i + 1 < cells.size(); i += 2) {
-            const int axis = mtconnect_axis(text::trimmed(cells[i], kBlanks));
+            const int axis = mtconnect_axis(text::trimmed(cells[i], kRecordBlanks));
             const auto value = number_of(cells[i + 1]);
             if (axis >= 0 && value) changes.add(*t_s, axis, *value);
         }

@@ -24,7 +24,6 @@ namespace gsim::rrs::rcs_process_test {
 namespace {
 
 using tests::soon;
-using Clock = std::chrono::steady_clock;
 
 constexpr RcsProcessLimits kSmall{.answer_ms = 500, .memory_bytes = 256U << 20U};
 constexpr int kStepsBefore = 50;  // of hostile_module.c
@@ -220,7 +219,6 @@ TEST(RcsProcess, AModuleThatOverwritesWhatIsSharedHurtsItselfAlone) {
 
 TEST(RcsProcess, WhatHappensInDestroyIsNoMatterOfTheRun) {
     for (const std::string name : {"crashes_in_destroy", "exits_in_destroy", "hangs_in_destroy"}) {
-        const auto from = Clock::now();
         {
             RcsModule module = begin(name);
             make_ready(module);
@@ -228,7 +226,6 @@ TEST(RcsProcess, WhatHappensInDestroyIsNoMatterOfTheRun) {
             EXPECT_EQ(step_ahead(module, RcsAhead::to_end, false).loss, "");
         }
         EXPECT_TRUE(processes_of(name).empty()) << name;
-        EXPECT_LT(Clock::now() - from, std::chrono::seconds(8)) << name;
     }
 }
 

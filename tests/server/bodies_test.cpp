@@ -1,6 +1,7 @@
 // Bodies that are not taken: who sends one gets its answer nevertheless, and holds nothing for long.
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -27,7 +29,6 @@ using std::chrono::milliseconds;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
 
@@ -108,11 +109,9 @@ TEST_F(BodiesTest, WhoSendsSomeMegabytesInVainSeesWhy) {
 
 TEST_F(BodiesTest, OneThatIsAnnouncedAsTooLargeIsRefusedBeforeItComes) {
     const Client client(port_);
-    const auto began = Clock::now();
     EXPECT_TRUE(
         client.send(head("PUT", "file/new.nc", "If-None-Match: *\r\nContent-Length: 1073741824\r\n")));
-    EXPECT_THAT(client.piece(), StartsWith("HTTP/1.1 413"));
-    EXPECT_LT(Clock::now() - began, std::chrono::seconds(5));
+    EXPECT_THAT(client.piece(), StartsWith("HTTP/1.1 413")) << "no byte of it has been sent";
     for (int i = 0; i < 8; ++i)
         EXPECT_TRUE(client.send(std::string(kPiece, 'a'))) << "it was closed in between";
     EXPECT_FALSE(fs::exists(folder_ / "new.nc"));
@@ -169,13 +168,14 @@ class EndsTest : public testing::Test {
 };
 
 TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
-    std::thread dripping([this] {
-        for (int i = 0; i < 1000 && ::send(ends_[1], "a", 1, MSG_NOSIGNAL) == 1; ++i)
+    constexpr int kAll = 1000;
+    std::atomic<int> sent{0};
+    std::thread dripping([&] {
+        for (; sent < kAll && ::send(ends_[1], "a", 1, MSG_NOSIGNAL) == 1; ++sent)
             std::this_thread::sleep_for(milliseconds(20));
     });
-    const auto began = Clock::now();
     end_gently(ends_[0], {.time = milliseconds(200), .pause = milliseconds(100)});
-    EXPECT_LT(Clock::now() - began, milliseconds(10'000));
+    EXPECT_LT(sent, kAll);
     EXPECT_TRUE(is_ended());
     ::shutdown(ends_[0], SHUT_RDWR);
     dripping.join();
@@ -184,9 +184,10 @@ TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
 TEST_F(EndsTest, NorForMoreThanSoManyBytes) {
     const std::string sent(100'000, 'a');
     ASSERT_EQ(::send(ends_[1], sent.data(), sent.size(), MSG_NOSIGNAL), 100'000);
-    const auto began = Clock::now();
     end_gently(ends_[0], {.bytes = 1000, .time = milliseconds(20'000), .pause = milliseconds(10'000)});
-    EXPECT_LT(Clock::now() - began, milliseconds(5'000));
+    int left = 0;
+    ASSERT_EQ(::ioctl(ends_[0], FIONREAD, &left), 0);
+    EXPECT_GT(left, 0);
 }
 
 TEST_F(EndsTest, WhoHasItsAnswerMakesRoomForOthers) {
