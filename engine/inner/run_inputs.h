@@ -12,7 +12,7 @@
 #include "engine/request.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/rrs/rcs_host.h"
-#include "runtime/script/engine.h"
+#include "runtime/script/script.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/probe.h"
 

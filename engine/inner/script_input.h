@@ -15,7 +15,7 @@
 #include "engine/request.h"
 #include "lexer/source.h"
 #include "runtime/machine/program_table.h"
-#include "runtime/script/engine.h"
+#include "runtime/script/script.h"
 
 namespace gsim::engine {
 

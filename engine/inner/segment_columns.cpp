@@ -4,7 +4,7 @@
 
 #include "runtime/motion/planner_setup.h"
 #include "runtime/simulation/part_tip.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/setup_of_machine.h"
 #include "runtime/simulation/tip_curve.h"
 
 namespace gsim::engine {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "codegen/program_signs.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/run_limits.h"
 
 namespace gsim::engine {
 

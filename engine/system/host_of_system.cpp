@@ -8,7 +8,7 @@
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/rrs/rcs_process.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/setup_of_machine.h"
 
 namespace gsim::engine {
 
