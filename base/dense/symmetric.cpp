@@ -1,17 +1,28 @@
 #include "base/dense/symmetric.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+
+#include "base/dense/singular.h"
 
 namespace gsim::base {
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+    return symmetric_eigen(matrix).values;
 }
 
+// With its norm added to each eigenvalue, none is below 0: then they are the singular values, which
+// singular_values() has anyway. Eigen's own solver would take four seconds of each build.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-    return {solver.eigenvalues(), solver.eigenvectors()};
+    const double shift = matrix.norm();
+    Eigen::MatrixXd shifted = matrix;
+    shifted.diagonal().array() += shift;
+    const SingularValues singular = singular_values(shifted);
+    return {singular.values.reverse().array() - shift, singular.right.rowwise().reverse()};
+}
+
+bool is_positive_definite(const Eigen::MatrixXd& matrix) {
+    const Eigen::LDLT<Eigen::MatrixXd> cholesky(matrix);
+    return (cholesky.vectorD().array() > 0).all();
 }
 
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {

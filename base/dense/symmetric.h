@@ -4,10 +4,10 @@
 
 namespace gsim::base {
 
-// Eigen's decompositions of symmetric matrices of any size. All expect a square matrix with finite elements
-// and read its lower triangle alone.
+// Decompositions of symmetric matrices of any size. All expect a square matrix with finite elements. What
+// Cholesky's takes reads the lower triangle alone.
 
-/// The eigenvalues in ascending order.
+/// The eigenvalues in ascending order, each to about 1e-16 of the greatest magnitude.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
 struct SymmetricEigen {
@@ -15,6 +15,9 @@ struct SymmetricEigen {
     Eigen::MatrixXd vectors;  ///< A column of length 1 for each value.
 };
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
+
+/// Whether all eigenvalues are above 0, by Cholesky's decomposition: much faster than the eigenvalues.
+bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
 /// The solution x of matrix * x = right for a positive definite matrix (Cholesky, LDL^T with pivots).
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);

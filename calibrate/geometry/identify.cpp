@@ -21,6 +21,13 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& square, const std::vector<Eigen::
     return square(at, at);
 }
 
+/// Whether each direction of the deviations with these squares of slopes is told to better than its usual
+/// size.
+bool is_told(Eigen::MatrixXd square) {
+    square.diagonal().array() -= kLeastTold * kLeastTold;
+    return base::is_positive_definite(square);
+}
+
 /// Which of the chosen ones do what deviation `k` does, and how much of each.
 std::string why_held(const Eigen::MatrixXd& gram, std::span<const Deviation> deviations,
                      const std::vector<Eigen::Index>& chosen, Eigen::Index k) {
@@ -63,8 +70,7 @@ Identified identify(const Eigen::MatrixXd& slopes, std::span<const Deviation> de
     std::vector<Eigen::Index> chosen;
     for (Eigen::Index k = 0; k < count && chosen.size() < rank; ++k) {
         chosen.push_back(k);
-        if (!(base::symmetric_eigenvalues(part_of(gram, chosen))[0] > kLeastTold * kLeastTold))
-            chosen.pop_back();
+        if (!(is_told(part_of(gram, chosen)))) chosen.pop_back();
     }
     for (Eigen::Index k = 0; k < count; ++k) {
         const auto index = static_cast<std::size_t>(k);

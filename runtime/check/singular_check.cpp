@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "runtime/kinematics/dense.h"
+#include "base/dense/singular.h"
 #include "runtime/kinematics/jacobian.h"
 
 namespace gsim::check {
@@ -39,7 +39,7 @@ class Stances {
 
     Least least(const rrs::JointPos& at) const {
         if (directions_ == 0) return {1, {}};
-        const kinematics::SingularValues singular = kinematics::singular_values(scaled(at));
+        const base::SingularValues singular = base::singular_values(scaled(at));
         return {singular.values[directions_ - 1], singular.right.col(directions_ - 1).cwiseAbs()};
     }
     bool is_near(const rrs::JointPos& at) const { return least(at).value < kNear; }
@@ -60,7 +60,7 @@ class Stances {
     }
 
     int rank(const rrs::JointPos& at) const {
-        return static_cast<int>((kinematics::singular_values(scaled(at)).values.array() > kNone).count());
+        return static_cast<int>((base::singular_values(scaled(at)).values.array() > kNone).count());
     }
 
     std::shared_ptr<const kinematics::Kinematics> kinematics_;

@@ -12,11 +12,4 @@ using JointSquare =
 /// take seconds to compile wherever they are used, so they are used in dense.cpp.
 rrs::JointPos solve_symmetric(const JointSquare& matrix, const rrs::JointPos& right);
 
-/// Singular values, greatest first, and the right singular vectors as columns.
-struct SingularValues {
-    Eigen::VectorXd values;
-    Eigen::MatrixXd right;
-};
-SingularValues singular_values(const Eigen::MatrixXd& matrix);
-
 }  // namespace gsim::kinematics

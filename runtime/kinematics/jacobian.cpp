@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/kinematics/dense.h"
+#include "base/dense/singular.h"
 
 namespace gsim::kinematics {
 
@@ -72,7 +72,7 @@ std::vector<int> lined_up(const Stance& stance, double mm_per_rad, double thresh
     for (Eigen::Index joint = 0; joint < scaled.cols(); ++joint) {
         if (scaled.col(joint).tail<3>().isZero(0)) scaled.col(joint) *= mm_per_rad;
     }
-    const SingularValues singular = singular_values(scaled);
+    const base::SingularValues singular = base::singular_values(scaled);
     const Eigen::Index last = singular.values.size() - 1;
     std::vector<int> joints;
     if (last < 0 || singular.values[last] >= threshold) return joints;

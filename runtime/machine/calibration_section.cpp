@@ -49,7 +49,8 @@ bool is_covariance(const std::vector<std::vector<double>>& rows) {
     constexpr double kRounding = 1e-6;
     const double most = matrix.cwiseAbs().maxCoeff();
     if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kRounding * most) return false;
-    return base::symmetric_eigenvalues(matrix)[0] >= -kRounding * most;
+    matrix.diagonal().array() += kRounding * most;
+    return most == 0 || base::is_positive_definite(matrix);
 }
 
 }  // namespace

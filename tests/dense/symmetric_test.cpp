@@ -21,7 +21,7 @@ double eigenvalue_of_difference(Eigen::Index k, Eigen::Index size) {
     return 2 - 2 * std::cos(static_cast<double>(k) * std::numbers::pi / static_cast<double>(size + 1));
 }
 
-TEST(Symmetric, EigenvaluesAscendToTheKnownOnes) {
+TEST(Symmetric, EigenvaluesAscend) {
     for (const Eigen::Index size : {1, 2, 3, 17}) {
         const Eigen::VectorXd values = symmetric_eigenvalues(second_difference(size));
         ASSERT_EQ(values.size(), size);
@@ -52,11 +52,39 @@ TEST(Symmetric, SolvesAndInverts) {
     EXPECT_TRUE((matrix * solve_positive(matrix, right)).isApprox(right, 1e-12));
 }
 
-TEST(Symmetric, ReadsTheLowerTriangleAlone) {
+TEST(Symmetric, EigenvaluesOfEitherSign) {
+    // A reflection in the plane across (1, 2, 2) / 3, stretched: -5 along it, 5 across.
+    const Eigen::Vector3d along = Eigen::Vector3d(1, 2, 2) / 3;
+    const Eigen::Matrix3d matrix = 5 * (Eigen::Matrix3d::Identity() - 2 * along * along.transpose());
+    const SymmetricEigen eigen = symmetric_eigen(matrix);
+    EXPECT_TRUE(eigen.values.isApprox(Eigen::Vector3d(-5, 5, 5), 1e-14));
+    EXPECT_NEAR(std::abs(eigen.vectors.col(0).dot(along)), 1, 1e-14);
+    EXPECT_TRUE((matrix * eigen.vectors).isApprox(eigen.vectors * eigen.values.asDiagonal(), 1e-13));
+}
+
+TEST(Symmetric, OfNothingButZeros) {
+    const SymmetricEigen eigen = symmetric_eigen(Eigen::Matrix3d::Zero());
+    EXPECT_EQ(eigen.values, Eigen::VectorXd::Zero(3));
+    EXPECT_TRUE((eigen.vectors.transpose() * eigen.vectors).isIdentity(1e-15));
+    EXPECT_FALSE(is_positive_definite(Eigen::Matrix3d::Zero()));
+}
+
+TEST(Symmetric, IsPositiveDefiniteUpToItsLeastEigenvalue) {
+    for (const Eigen::Index size : {1, 2, 5, 30}) {
+        const double least = eigenvalue_of_difference(1, size);
+        Eigen::MatrixXd matrix = second_difference(size);
+        matrix.diagonal().array() -= least * (1 - 1e-9);
+        EXPECT_TRUE(is_positive_definite(matrix)) << size;
+        matrix.diagonal().array() -= least * 2e-9;
+        EXPECT_FALSE(is_positive_definite(matrix)) << size;
+    }
+}
+
+TEST(Symmetric, CholeskyReadsTheLowerTriangleAlone) {
     Eigen::MatrixXd lower = second_difference(4);
     lower.triangularView<Eigen::StrictlyUpper>().setConstant(1e9);
-    EXPECT_TRUE(symmetric_eigenvalues(lower).isApprox(symmetric_eigenvalues(second_difference(4))));
     EXPECT_TRUE(inverse_of_positive(lower).isApprox(inverse_of_positive(second_difference(4))));
+    EXPECT_TRUE(is_positive_definite(lower));
 }
 
 }  // namespace

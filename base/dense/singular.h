@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace gsim::base {
+
+/// Singular values, greatest first, and the right singular vectors as columns.
+struct SingularValues {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd right;
+};
+SingularValues singular_values(const Eigen::MatrixXd& matrix);
+
+}  // namespace gsim::base
