@@ -23,6 +23,7 @@ endif()
 if(GSIM_SANITIZE)
     add_compile_options(-fsanitize=${GSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${GSIM_SANITIZE})
+    add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,Clang>:-fsanitize-ignorelist=${CMAKE_SOURCE_DIR}/cmake/sanitize-ignore.txt>)
     # The checks that the sanitizers put in make g++ 12 see uninitialized values where there are none.
     add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()

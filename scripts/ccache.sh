@@ -15,6 +15,8 @@ export CCACHE_BASEDIR="$project" CCACHE_ABSSTDERR=1 CCACHE_NOHASHDIR=1
 export CCACHE_DEPEND=1
 # Precompiled headers are known by what is in them, not by when they were written.
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+# The list that sanitizers get is known by its contents, not by where it lies.
+export CCACHE_IGNOREOPTIONS='-fsanitize-ignorelist=*' CCACHE_EXTRAFILES="$project/cmake/sanitize-ignore.txt"
 case $1 in
 *em++ | *emcc) export CCACHE_COMPILERTYPE=clang ;;  # ccache knows emscripten by no name
 esac
