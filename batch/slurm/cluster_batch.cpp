@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using Fault = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 
-constexpr std::uint64_t kMemory_mb = 4096;
-constexpr std::chrono::milliseconds kLockWait(60'000);
+constexpr std::uint64_t kShardMemory_mb = 4096;
+constexpr std::chrono::milliseconds kClusterLockWait(60'000);
 constexpr int kCancelWait_s = 60;
 
 /// What a node is told to have where nobody has told it: no figure.
@@ -79,8 +79,8 @@ Done check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
 
 std::uint64_t memory_for(const ClusterOptions& options, const ClusterLimits& limits) {
     if (options.memory_mb) return *options.memory_mb;
-    if (!limits.memory_mb || *limits.memory_mb < kLeastNode_mb) return kMemory_mb;
-    return std::clamp<std::uint64_t>((*limits.memory_mb - kOwn_mb) / options.workers, 64, kMemory_mb);
+    if (!limits.memory_mb || *limits.memory_mb < kLeastNode_mb) return kShardMemory_mb;
+    return std::clamp<std::uint64_t>((*limits.memory_mb - kOwn_mb) / options.workers, 64, kShardMemory_mb);
 }
 
 Done write_script(const fs::path& file, const std::string& words) {
@@ -316,7 +316,7 @@ tl::expected<bool, std::string> run_shard(const std::string& folder, std::uint64
 tl::expected<Gathered, std::string> gather(const std::string& folder) {
     auto shards = read_shards(folder);
     if (!shards) return Fault(shards.error());
-    auto lock = os::FileLock::get(shards->results, kLockWait);
+    auto lock = os::FileLock::get(shards->results, kClusterLockWait);
     if (!lock) return Fault(lock.error());
     auto results = Results::open(shards->results, Journal::rollback);
     if (!results) return Fault(results.error());
