@@ -28,12 +28,13 @@ install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_IN
 
 # The engine as a library: headers find each other as <gsim/engine/run.h>, wherever they lie.
 include(CMakePackageConfigHelpers)
-file(GLOB headers CONFIGURE_DEPENDS engine/*.h engine/*.def)
+file(GLOB headers CONFIGURE_DEPENDS engine/*.h engine/*.def base/kinds/*.def)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/gsim)
 foreach(header ${headers})
     get_filename_component(name ${header} NAME)
     file(READ ${header} text)
     string(REPLACE "#include \"engine/" "#include \"gsim/engine/" text "${text}")
+    string(REPLACE "#include \"base/kinds/" "#include \"gsim/engine/" text "${text}")
     set(folder gsim/engine)
     if(name STREQUAL "gsim.h")
         set(folder gsim)

@@ -9,12 +9,8 @@ namespace gsim::engine {
 /// Bits of SegmentColumns::flags, and what stands in the others.
 struct SegmentFlags {
     static constexpr std::uint32_t kKind = 3;  ///< SegmentKind.
-    static constexpr std::uint32_t kProcessOn = 1U << 2U;
-    static constexpr std::uint32_t kArc = 1U << 3U;
-    static constexpr std::uint32_t kOrientation = 1U << 4U;
-    static constexpr std::uint32_t kBeside = 1U << 5U;
-    static constexpr std::uint32_t kApart = 1U << 6U;
-    static constexpr std::uint32_t kTimed = 1U << 7U;   ///< The program gives a time, no feed.
+#define GSIM_SEGMENT_FLAG(name, constant, bit) static constexpr std::uint32_t constant = 1U << bit##U;
+#include "base/kinds/segment_flag.def"
     static constexpr std::uint32_t kMoveKindShift = 8;  ///< Four bits: MoveKind.
     static constexpr std::uint32_t kLimitShift = 12;    ///< Four bits: what kept it from being faster.
     static constexpr std::uint32_t kLimitAxisShift =

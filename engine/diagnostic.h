@@ -7,7 +7,10 @@
 
 namespace gsim::engine {
 
-enum class Severity : std::uint8_t { error, warning, note };
+enum class Severity : std::uint8_t {
+#define GSIM_SEVERITY(name, number, constant) name = number,
+#include "base/kinds/severity.def"
+};
 
 /// One thing to tell about an input or a run. Lines and columns count from 1, columns in bytes; 0: not known.
 struct Diagnostic {

@@ -29,8 +29,10 @@ struct Axis {
     bool rotary = false;
 };
 
-/// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
-enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
+enum class MoveKind : std::uint8_t {
+#define GSIM_MOVE_KIND(name, number, constant) name = number,
+#include "base/kinds/move_kind.def"
+};
 
 /// A circle or helix of the tool, about `axis` by the right hand.
 struct Arc {
@@ -57,7 +59,10 @@ struct Move {
     Arc arc = {};
 };
 
-enum class SegmentKind : std::uint8_t { joint, linear, circular, rest };
+enum class SegmentKind : std::uint8_t {
+#define GSIM_SEGMENT_KIND(name, number, constant) name = number,
+#include "base/kinds/segment_kind.def"
+};
 
 /// One finished piece of motion: a path and a law of time in closed form. Valid in the call alone.
 class GSIM_API Segment {

@@ -13,8 +13,10 @@
 
 namespace gsim::engine {
 
-/// `violations`: the run came to its end, past limits of the machine; `stopped`: by a limit of the run.
-enum class RunStatus : std::uint8_t { completed, violations, stopped, alarm };
+enum class RunStatus : std::uint8_t {
+#define GSIM_RUN_STATUS(name, number, constant) name = number,
+#include "base/kinds/run_status.def"
+};
 
 /// "completed", ...
 GSIM_API std::string_view name(RunStatus status);

@@ -55,8 +55,13 @@ std::string_view unreadable_file(std::string_view sentence) {
 }  // namespace
 
 std::string_view name(Severity severity) {
-    constexpr std::array<std::string_view, 3> kNames = {"error", "warning", "note"};
-    return kNames.at(static_cast<std::size_t>(severity));
+    // clang-format off
+    switch (severity) {
+#define GSIM_SEVERITY(name, number, constant) case Severity::name: return #name;
+#include "base/kinds/severity.def"
+    }
+    // clang-format on
+    return "";
 }
 
 std::string place_of(const Diagnostic& diagnostic) {

@@ -8,7 +8,10 @@
 
 namespace gsim::text {
 
-enum class Severity : std::uint8_t { error, warning, note };
+enum class Severity : std::uint8_t {
+#define GSIM_SEVERITY(name, number, constant) name = number,
+#include "base/kinds/severity.def"
+};
 
 /// "error", "warning", "note"
 std::string_view name(Severity severity);

@@ -6,6 +6,11 @@
 
 namespace gsim::engine {
 
+#define GSIM_RUN_STATUS(name, number, constant) static_assert(constant == number);
+#include "base/kinds/run_status.def"
+#define GSIM_SEVERITY(name, number, constant) static_assert(constant == number);
+#include "base/kinds/severity.def"
+
 Tell tell_of(gsim_tell tell, void* user) {
     if (tell == nullptr) return {};
     return [tell, user](const Diagnostic& told) {

@@ -45,9 +45,13 @@ void put(std::vector<double>& values, const motion::OrientationArc& way) {
     values.insert(values.end(), constants.begin(), constants.end());
 }
 
-// What stands in bits of SegmentColumns::flags has room there.
-static_assert(static_cast<unsigned>(simulation::MoveKind::spline) < 16U);
-static_assert(static_cast<unsigned>(motion::LimitKind::unknown) < 16U);
+// Each number fits into its bits of SegmentColumns::flags.
+#define GSIM_SEGMENT_KIND(name, number, constant) static_assert(number <= SegmentFlags::kKind);
+#include "base/kinds/segment_kind.def"
+#define GSIM_MOVE_KIND(name, number, constant) static_assert(number < 16);
+#include "base/kinds/move_kind.def"
+#define GSIM_LIMIT_KIND(name, number, words) static_assert(number < 16);
+#include "base/kinds/limit_kind.def"
 static_assert(rrs::kMaxJoints < 32);
 
 std::uint32_t forms_of(const motion::Segment& segment) {

@@ -19,7 +19,10 @@ inline constexpr std::uint32_t kApart = std::uint32_t{1} << 31U;
 /// A joint that goes by less of the way than this stands still, but for rounding.
 inline constexpr double kNoShare = 1e-9;
 
-enum class SegmentKind { joint, linear, circular, rest };
+enum class SegmentKind {
+#define GSIM_SEGMENT_KIND(name, number, constant) name = number,
+#include "base/kinds/segment_kind.def"
+};
 
 /// Joint positions, velocities and accelerations at an instant (mm or rad, s).
 struct JointState {
@@ -40,21 +43,8 @@ struct Follower {
 
 /// What kept a move from being faster.
 enum class LimitKind : std::uint8_t {
-    feed,        ///< The programmed speed.
-    path_speed,  ///< The machine's limit of speeds along the path.
-    joint_speed,
-    acceleration,  ///< Of a joint: the speed was not reached.
-    path_acceleration,
-    centripetal,  ///< The acceleration round a curve.
-    corner,       ///< A slow corner at one of its ends.
-    stop,         ///< A stop at one of its ends.
-    jerk,
-    look_ahead,      ///< The controller did not know further blocks.
-    block_time,      ///< It takes so long to make a block ready.
-    time,            ///< A programmed time (inverse time feed, dwell).
-    rapid_override,  ///< The operator has turned it down.
-    short_brakes,    ///< Ramps in steps of time had braked before the end (SteppedRamps).
-    unknown,         ///< A controller module does not say.
+#define GSIM_LIMIT_KIND(name, number, words) name = number,
+#include "base/kinds/limit_kind.def"
 };
 
 struct LimitedBy {

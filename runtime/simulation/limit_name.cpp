@@ -18,27 +18,23 @@ std::string of_joint(int joint, const machine::Machine& machine, std::string_vie
     return fmt::format("{} {} {}", rotary ? "rotary" : "joint", axis.letter, what);
 }
 
+std::string_view words_of(LimitKind kind) {
+    // clang-format off
+    switch (kind) {
+#define GSIM_LIMIT_KIND(name, number, words) case LimitKind::name: return words;
+#include "base/kinds/limit_kind.def"
+    }
+    // clang-format on
+    return "";
+}
+
 }  // namespace
 
 std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine) {
-    switch (limited_by.kind) {
-        case LimitKind::feed: return "feed";
-        case LimitKind::path_speed: return "contour speed";
-        case LimitKind::joint_speed: return of_joint(limited_by.joint, machine, "speed");
-        case LimitKind::acceleration: return of_joint(limited_by.joint, machine, "acceleration");
-        case LimitKind::path_acceleration: return "path acceleration";
-        case LimitKind::centripetal: return "centripetal";
-        case LimitKind::corner: return "corner";
-        case LimitKind::stop: return "stop";
-        case LimitKind::jerk: return "jerk";
-        case LimitKind::look_ahead: return "look-ahead";
-        case LimitKind::block_time: return "block time";
-        case LimitKind::time: return "time";
-        case LimitKind::rapid_override: return "rapid override";
-        case LimitKind::short_brakes: return "braked short";
-        case LimitKind::unknown: break;
-    }
-    return "unknown";
+    const std::string_view words = words_of(limited_by.kind);
+    const bool is_of_axis =
+        limited_by.kind == LimitKind::joint_speed || limited_by.kind == LimitKind::acceleration;
+    return is_of_axis ? of_joint(limited_by.joint, machine, words) : std::string(words);
 }
 
 }  // namespace gsim::simulation

@@ -10,8 +10,10 @@
 
 namespace gsim::simulation {
 
-/// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
-enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
+enum class MoveKind : std::uint8_t {
+#define GSIM_MOVE_KIND(name, number, constant) name = number,
+#include "base/kinds/move_kind.def"
+};
 
 std::string_view name(MoveKind kind);
 /// The normal of a main plane about which arcs are counter-clockwise: +Z of xy, +Y of zx, +X of yz.

@@ -22,27 +22,23 @@ Eigen::Index closest_axis(const Eigen::Vector3d& vector) {
 }  // namespace
 
 std::string_view name(MoveKind kind) {
+    // clang-format off
     switch (kind) {
-        case MoveKind::rapid: return "rapid";
-        case MoveKind::linear: return "linear";
-        case MoveKind::arc_cw: return "arc_cw";
-        case MoveKind::arc_ccw: return "arc_ccw";
-        case MoveKind::probe: return "probe";
-        case MoveKind::thread: return "thread";
-        case MoveKind::spline: return "spline";
-        case MoveKind::dwell: break;
+#define GSIM_MOVE_KIND(name, number, constant) case MoveKind::name: return #name;
+#include "base/kinds/move_kind.def"
     }
-    return "dwell";
+    // clang-format on
+    return "";
 }
 
 std::string_view name(RunStatus status) {
+    // clang-format off
     switch (status) {
-        case RunStatus::completed: return "completed";
-        case RunStatus::violations: return "violations";
-        case RunStatus::stopped: return "stopped";
-        case RunStatus::alarm: break;
+#define GSIM_RUN_STATUS(name, number, constant) case RunStatus::name: return #name;
+#include "base/kinds/run_status.def"
     }
-    return "alarm";
+    // clang-format on
+    return "";
 }
 
 Eigen::Vector3d normal_of(Plane plane) {

@@ -14,8 +14,10 @@
 
 namespace gsim::simulation {
 
-/// `violations`: the run came to its end, past limits of the machine.
-enum class RunStatus { completed, violations, stopped, alarm };
+enum class RunStatus {
+#define GSIM_RUN_STATUS(name, number, constant) name = number,
+#include "base/kinds/run_status.def"
+};
 std::string_view name(RunStatus status);
 
 /// A call of a program that had not ended.

@@ -1,5 +1,5 @@
 // Holds the page's closed forms against the engine's: the axes at each sample of gsim-run --trajectory, within 1e-6 mm and
-// degrees, and the lines at each event's time. Of the golden programs, and of the samples on all sample machines.
+// degrees, the lines at each event's time, and the time under each limit. Of the golden programs, and of the samples on all sample machines.
 // Usage: node exact.mjs BUILD. Closes with "N passed, N failed".
 
 import { execFileSync } from "node:child_process";
@@ -60,6 +60,16 @@ const formSources = {
     controller: 'model = "blend"',
     program: "G21 G90\nG64\nG1 X100 F6000\nG1 Y100\nG1 X0\nG3 X50 Y50 I50\nG1 Z-20\nM2\n",
   },
+  timed: {
+    machine: "router3",
+    controller: 'model = "ab9"',
+    program: "G21 G90 G93\nG1 X100 F10\nG1 Y50 F20\nG94\nG4 P1\nG1 X0 F3000\nM2\n",
+  },
+  "block-time": {
+    machine: "router3",
+    controller: 'model = "ab9"\nblock_time_s = 0.2',
+    program: "G21 G90 G64\nG1 X1 F6000\nG1 X2\nG1 X3\nG1 X4\nG1 X5\nM2\n",
+  },
   tip: {
     machine: "mill-head-table",
     controller: 'model = "ab9"',
@@ -87,6 +97,7 @@ function written({ folder, args }, options) {
 }
 
 const forms = { arcs: 1 << 3, "great circles of the tool": 1 << 4, "two motions at once": 1 << 5, "axes apart": 1 << 6 };
+const seenLimits = new Set();
 const seen = Object.fromEntries(Object.keys(forms).map((name) => [name, 0]));
 
 function countForms(robot) {
@@ -112,7 +123,7 @@ function speedDifference(segments, t_s, speed_mm_s) {
 }
 
 /** Largest difference of an axis from the trajectory, and faults in sentences. */
-function compare(run, csv) {
+function compare(page, run, csv) {
   const [head, ...lines] = csv.trim().split("\n");
   const letters = head.split(",").slice(2, -1);
   const robot = run.robots[0];
@@ -134,23 +145,42 @@ function compare(run, csv) {
       faults.push(`at ${event.t_s} s the line of '${event.kind}' should be ${event.line}, not ${JSON.stringify(places)}`);
     }
   }
+  faults.push(...limitFaults(page, run));
   return { worst, samples: lines.length, faults };
 }
 
+/** The time under each kind of limit as the page names it from the segments, against the report's words for it. */
+function limitFaults(page, { robots: [robot], report }) {
+  const kinds = new Map();
+  const add = ({ kind }, of, time_s) => {
+    const times = kinds.get(kind) ?? { segments: 0, report: 0 };
+    times[of] += time_s;
+    kinds.set(kind, times);
+  };
+  for (const { count, flags, duration_s } of robot.segments.chunks) {
+    for (let i = 0; i < count; ++i) add(page.limitOfFlags(flags[i], robot.letters), "segments", duration_s[i]);
+  }
+  for (const { limited_by, time_s } of report.time_by_limit) add(page.limitOfReport(limited_by), "report", time_s);
+  for (const kind of kinds.keys()) seenLimits.add(kind);
+  return [...kinds]
+    .filter(([, times]) => Math.abs(times.segments - times.report) > 1e-6 * Math.max(1, times.report))
+    .map(([kind, times]) => `${kind}: ${times.segments} s in the segments, ${times.report} s in the report`);
+}
+
 let [passed, failed, refused, samples, worst] = [0, 0, 0, 0, 0];
+const page = await loadPage();
 try {
-  const page = await loadPage();
   for (const run of [...goldenRuns(), ...sampleRuns(), ...formRuns()]) {
     const [html, csv] = [join(scratch, "run.html"), join(scratch, "run.csv")];
     for (const file of [html, csv]) rmSync(file, { force: true });
     try {
-      written(run, ["--view", html, "--trajectory", csv, "--step", "0.037", "--max-time", "200"]);
+      written(run, ["--explain", "--view", html, "--trajectory", csv, "--step", "0.037", "--max-time", "200"]);
       if (!existsSync(html) && run.mustRun) throw new Error("it did not run");
       if (!existsSync(html)) {
         ++refused; // before it ran: there is nothing to compare
         continue;
       }
-      const found = compare(readRun(page, readFileSync(html, "utf8")), readFileSync(csv, "utf8"));
+      const found = compare(page, readRun(page, readFileSync(html, "utf8")), readFileSync(csv, "utf8"));
       samples += found.samples;
       worst = Math.max(worst, found.worst);
       if (found.faults.length > 0) throw new Error(found.faults.slice(0, 5).join("\n  "));
@@ -162,6 +192,11 @@ try {
   }
 } finally {
   rmSync(scratch, { recursive: true });
+}
+for (const kind of page.limitKinds.filter((each) => !seenLimits.has(each))) console.log(`no run is limited by ${kind}`);
+for (const kind of ["time", "block_time"].filter((each) => !seenLimits.has(each))) {
+  ++failed;
+  console.log(`FAILED no run is limited by ${kind}`);
 }
 for (const [name, count] of Object.entries(seen)) {
   if (count > 0) continue;

@@ -37,7 +37,7 @@ export async function loadModules(files) {
 
 /** What readRun works with. */
 export const loadPage = () =>
-  bundled(["core/message", "run/run", "run/chain"].map((file) => `export * from "./${file}";`).join("\n"));
+  bundled(["core/message", "run/run", "run/chain", "run/limits", "run/kinds"].map((file) => `export * from "./${file}";`).join("\n"));
 
 /** The frames of a finished run in a page's text. */
 export function packedRun(html) {

@@ -1,7 +1,7 @@
 // Colours that people who see no red or green tell apart (Okabe and Ito, 2008; viridis for scales).
 
 import type { Held } from "../run/limits";
-import type { MoveKind } from "../run/segments";
+import type { MoveKind } from "../run/kinds";
 
 export const orange = "#e69f00";
 export const sky = "#56b4e9";
@@ -34,9 +34,10 @@ export const limitColours: Record<Held, string> = {
   stop: purple,
   jerk: "#7a5195",
   look_ahead: "#444b59",
+  block_time: "#5e3c99",
   time: grey,
   rapid_override: "#a6761d",
-  braked_short: "#8c2d04",
+  short_brakes: "#8c2d04",
   unknown: grey,
   dwell: grey,
 };

@@ -2,9 +2,8 @@
 
 import { ARC_SIZE, arcAt } from "./arc";
 import { HEAD_SIZE, headAt, headLength_rad } from "./head";
+import { Flag } from "./kinds";
 import { addBreaks_s, lawAt, lawDuration_s, lawLength, lawSize, type LawState } from "./law";
-
-export const Flag = { processOn: 1 << 2, arc: 1 << 3, head: 1 << 4, beside: 1 << 5, apart: 1 << 6, timed: 1 << 7 };
 
 /** Values of the joints, mm or rad, with their first and second derivatives by time. */
 export interface JointState {
@@ -46,7 +45,7 @@ function layoutOf({ values, joints }: Records, { at, flags }: Part): Layout {
   let next = lead + lawSize(values, lead);
   const arc = flags & Flag.arc ? next : -1;
   if (arc >= 0) next += ARC_SIZE;
-  const head = flags & Flag.head ? next : -1;
+  const head = flags & Flag.orientation ? next : -1;
   if (head >= 0) next += HEAD_SIZE;
   const followers = next;
   next += 1;
@@ -192,7 +191,7 @@ export function pathAcceleration(
 
 /** Whether all joints go in proportion to the lead's law. */
 export function isProportional(records: Records, part: Part): boolean {
-  if (part.flags & (Flag.arc | Flag.head | Flag.beside | Flag.apart)) return false;
+  if (part.flags & (Flag.arc | Flag.orientation | Flag.beside | Flag.apart)) return false;
   const lead = leadOf(records, part.at);
   return records.values[lead + lawSize(records.values, lead)] === 0;
 }

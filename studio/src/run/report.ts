@@ -1,9 +1,11 @@
 // The report of a run, as gsim run --json has it (docs/report.md); what the page looks at.
 
+import type { RunStatus, Severity } from "./kinds";
+
 /** Times of the report are rounded to this. */
 export const SAME_TIME_S = 1e-9;
 
-export type Severity = "error" | "warning" | "note";
+export type { Severity };
 
 /** A line of a source. */
 export interface Place {
@@ -119,7 +121,7 @@ export interface Report {
   program: string;
   machine: string;
   controller: string | null;
-  status: "completed" | "violations" | "stopped" | "alarm";
+  status: RunStatus;
   alarm: (Placed & { code: string; message: string; axis: string | null }) | null;
   cycle_time_s: number;
   /** With violations: from here on the times are not those of the machine. */

@@ -1,37 +1,20 @@
 // The segments of a run, as columns in chunks, in the order of time.
 
 import type { Message } from "../core/message";
-import { Flag, jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
+import { jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
+import { Flag, limitKinds, moveKinds, segmentKinds, type LimitKind, type MoveKind } from "./kinds";
 import { lawLength, newRange, widenByLaw } from "./law";
 import type { Laws } from "./laws";
 import { lastIndex } from "./search";
 import { Stretch, type Chunk, type Line, type MaybeUnderWay } from "./stretch";
 
-export const moveKinds = ["rapid", "linear", "arc_cw", "arc_ccw", "dwell", "probe", "thread", "spline"] as const;
-export type MoveKind = (typeof moveKinds)[number];
-
-export const limitKinds = [
-  "feed",
-  "path_speed",
-  "joint_speed",
-  "acceleration",
-  "path_acceleration",
-  "centripetal",
-  "corner",
-  "stop",
-  "jerk",
-  "look_ahead",
-  "time",
-  "rapid_override",
-  "braked_short",
-  "unknown",
-] as const;
-export type LimitKind = (typeof limitKinds)[number];
-
 /** What the flags of a segment say (docs/studio.md): numbers of moveKinds and limitKinds, the limit's axis (-1: none). */
 export const kindCodeOf = (flags: number): number => (flags >>> 8) & 15;
 export const limitCodeOf = (flags: number): number => (flags >>> 12) & 15;
 export const limitAxisOf = (flags: number): number => ((flags >>> 16) & 31) - 1;
+const REST = segmentKinds.indexOf("rest");
+/** Whether nothing moves, also within a move: a control may wait for its axes to settle. */
+export const isRest = (flags: number): boolean => (flags & 3) === REST;
 export const isRapid = (flags: number): boolean => moveKinds[kindCodeOf(flags)] === "rapid";
 
 /** A segment as rows have it. */
@@ -53,8 +36,6 @@ export interface SegmentInfo {
   /** The axis of the limit, as an index; -1: none. */
   limitAxis: number;
 }
-
-const RESTS = 3;
 
 /** Segments of which one is under way, from the first to the last: by a chunk it is one. */
 interface UnderWay extends MaybeUnderWay {
@@ -206,7 +187,7 @@ export class Segments {
       file: chunk.file[i],
       tip: chunk.tip[i],
       kind: moveKinds[kindCodeOf(flags)],
-      rests: (flags & 3) === RESTS,
+      rests: isRest(flags),
       processOn: (flags & Flag.processOn) !== 0,
       limit: limitKinds[limitCodeOf(flags)],
       limitAxis: limitAxisOf(flags),

@@ -1,6 +1,6 @@
 // When the process (jet, spindle, torch) is on.
 
-import { Flag } from "../run/evaluate";
+import { Flag } from "../run/kinds";
 import { lastIndex } from "../run/search";
 import type { Segments } from "../run/segments";
 

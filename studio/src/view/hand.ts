@@ -2,7 +2,8 @@
 
 import { Debounced } from "../core/debounced";
 import type { Store } from "../core/store";
-import { kindCodeOf, moveKinds } from "../run/segments";
+import { moveKinds } from "../run/kinds";
+import { kindCodeOf } from "../run/segments";
 import { texts } from "../texts";
 import type { Gestures, Grabbed } from "./gestures";
 import type { Hold } from "./holds";

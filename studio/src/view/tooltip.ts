@@ -5,7 +5,7 @@ import { baseName } from "../core/kinds";
 import type { Units } from "../core/store";
 import { programmedFeedText, timeText } from "../core/units";
 import type { Robot } from "../run/run";
-import type { MoveKind } from "../run/segments";
+import type { MoveKind } from "../run/kinds";
 import { texts } from "../texts";
 
 export class Tooltip {

@@ -49,6 +49,7 @@ export default {
     assert.equal(isRapid(first), true);
     assert.deepEqual(limitOfFlags(first, ["X", "C"]), { kind: "joint_speed", letter: "C" });
     assert.deepEqual(limitOfFlags(second, ["X", "C"]), { kind: "dwell", letter: "" });
+    assert.deepEqual(limitOfFlags(first | 3, ["X", "C"]), { kind: "dwell", letter: "" }, "a control waits within a move");
   },
 
   "segments of a line one behind the other are a block, and each pass of a loop is one": (page) => {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/units", "core/names", "core/kinds", "core/colours", "run/limits", "run/segments", "time/window", "time/mark_text", "texts"];
+export const modules = ["core/units", "core/names", "core/kinds", "core/colours", "run/kinds", "run/limits", "time/window", "time/mark_text", "texts"];
 
 const mark = { t_s: 1, file: "a.nc", line: 14, kind: "event", text: "jet_on", detail: "", pair: null, clearance_mm: 0 };
 
@@ -62,6 +62,9 @@ export default {
     assert.deepEqual(limitOfReport("contour speed"), { kind: "path_speed", letter: "" });
     assert.deepEqual(limitOfReport("look-ahead"), { kind: "look_ahead", letter: "" });
     assert.deepEqual(limitOfReport("rapid override"), { kind: "rapid_override", letter: "" });
+    assert.deepEqual(limitOfReport("block time"), { kind: "block_time", letter: "" });
+    assert.deepEqual(limitOfReport("braked short"), { kind: "short_brakes", letter: "" });
+    assert.deepEqual(limitOfReport("dwell"), { kind: "dwell", letter: "" });
     assert.deepEqual(limitOfReport("toString"), { kind: "unknown", letter: "" });
   },
 

@@ -1,7 +1,8 @@
 // What charts show of a segment, exactly, from its closed forms.
 
-import { Flag, breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
+import { breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
 import type { Part } from "../../run/evaluate";
+import { Flag } from "../../run/kinds";
 import { lawLength, newRange, widenByLaw } from "../../run/law";
 import { isRapid, type Segments } from "../../run/segments";
 import type { Chunk } from "../../run/stretch";

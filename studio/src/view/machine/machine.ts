@@ -2,7 +2,7 @@
 
 import { Group, Vector3 } from "three";
 import type { Places } from "../../run/chain";
-import { Flag } from "../../run/evaluate";
+import { Flag } from "../../run/kinds";
 import type { Report } from "../../run/report";
 import type { Robot } from "../../run/run";
 import { Bodies } from "./bodies";

@@ -2,15 +2,8 @@
 
 import { grey, kindColours, limitColours, scaleColour, vermilion, blue } from "../../core/colours";
 import type { ColourMode } from "../../core/store";
-import { Flag } from "../../run/evaluate";
-import {
-  isRapid,
-  kindCodeOf,
-  limitCodeOf,
-  limitKinds,
-  moveKinds,
-  type Segments,
-} from "../../run/segments";
+import { Flag, limitKinds, moveKinds } from "../../run/kinds";
+import { isRapid, kindCodeOf, limitCodeOf, type Segments } from "../../run/segments";
 import type { Chunk, Stretch } from "../../run/stretch";
 import { ROW, rowsOf, type PathData } from "./path_data";
 

@@ -3,7 +3,7 @@
 import { limitText } from "../../../core/names";
 import { DWELL, limitOf } from "../../../run/limits";
 import type { Robot, Run } from "../../../run/run";
-import { limitKinds, moveKinds } from "../../../run/segments";
+import { limitKinds, moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { BlockTable } from "./block_table";
 import { linesOf } from "./source_lines";

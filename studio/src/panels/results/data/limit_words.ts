@@ -2,7 +2,7 @@
 
 import { limitColours } from "../../../core/colours";
 import { DWELL, limitOf, type NamedLimit } from "../../../run/limits";
-import { moveKinds } from "../../../run/segments";
+import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { BlockTable } from "./block_table";
 

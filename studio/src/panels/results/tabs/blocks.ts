@@ -7,7 +7,7 @@ import { goToBlock } from "../../../core/go";
 import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { countText, feedText, lengthShort, percentText, programmedFeedText, timeText } from "../../../core/units";
-import { moveKinds } from "../../../run/segments";
+import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";

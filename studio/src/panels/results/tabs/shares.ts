@@ -7,7 +7,7 @@ import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { percentText, timeText } from "../../../core/units";
 import { limitOfReport, type NamedLimit } from "../../../run/limits";
-import { moveKinds } from "../../../run/segments";
+import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { Context, Links, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";
