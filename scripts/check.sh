@@ -93,7 +93,7 @@ install_tools() {
 left_out() {
     case $tier in
     full) echo "nothing" ;;
-    fast) echo "clang-tidy, compilation by itself, sanitizers and fuzzing of what has not changed; nine tests that take minutes under sanitizers; packages built twice and compared; what is installed without its build (FULL=1 .ci/run)" ;;
+    fast) echo "clang-tidy, compilation by itself, sanitizers and fuzzing of what has not changed; packages built twice and compared; what is installed without its build (FULL=1 .ci/run)" ;;
     touched) echo "stages that the changes do not touch (.ci/run), and what that leaves out" ;;
     esac
 }

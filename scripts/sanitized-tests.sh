@@ -29,18 +29,5 @@ if [[ -z $names ]]; then
     echo "0 passed, 0 failed"
     exit
 fi
-# These take minutes each here, and run what others run, too; `all` means all.
-readonly minutes_each=(
-    Cell.TheTestPartIsCutInItsCellAndAClampInTheWayIsFound
-    ClearWays.APlaceThatIsWalledInIsNotReached
-    Energy.WorkOfTheMotorsIsWhatTheMachineHasAndWhatFrictionTakes
-    FollowingWatch.RandomProgramsAgainstFineSteps
-    NeighbourWatch.FindsTheFirstContactOfAnyTwoMachines
-    Poses.TheInverseLeadsBackOnAllSampleMachines
-    SurfaceProgram.TheWheelFromItsModelIsTheThesissWheel
-    TorqueLimit.ArmKeepsItsPeaksAndGainsTime
-    TorqueRun.NoMotorIsAskedForMoreThanItsPeakUnderTheTip
-)
-[[ $since == all ]] || { GTEST_FILTER="-$(IFS=:; echo "${minutes_each[*]}")" && export GTEST_FILTER; }
 # Fewer random programs: these take ten times as long here.
 GSIM_ROUNDTRIP_PROGRAMS=30 GSIM_ROUND_TRIP_PROGRAMS=4 scripts/test.sh build-sanitize --parallel "$(scripts/jobs.sh)" -R "^(${names%|})\$"
