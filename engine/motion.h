@@ -30,7 +30,7 @@ struct Axis {
 };
 
 enum class MoveKind : std::uint8_t {
-#define GSIM_MOVE_KIND(name, number, constant) name = number,
+#define GSIM_MOVE_KIND(name, number, constant) name = (number),
 #include "base/kinds/move_kind.def"
 };
 
@@ -60,7 +60,7 @@ struct Move {
 };
 
 enum class SegmentKind : std::uint8_t {
-#define GSIM_SEGMENT_KIND(name, number, constant) name = number,
+#define GSIM_SEGMENT_KIND(name, number, constant) name = (number),
 #include "base/kinds/segment_kind.def"
 };
 

@@ -14,7 +14,7 @@
 namespace gsim::engine {
 
 enum class RunStatus : std::uint8_t {
-#define GSIM_RUN_STATUS(name, number, constant) name = number,
+#define GSIM_RUN_STATUS(name, number, constant) name = (number),
 #include "base/kinds/run_status.def"
 };
 

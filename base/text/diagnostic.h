@@ -9,7 +9,7 @@
 namespace gsim::text {
 
 enum class Severity : std::uint8_t {
-#define GSIM_SEVERITY(name, number, constant) name = number,
+#define GSIM_SEVERITY(name, number, constant) name = (number),
 #include "base/kinds/severity.def"
 };
 

@@ -8,9 +8,9 @@ namespace gsim::engine {
 
 static_assert(kMostAxes == GSIM_MOST_AXES);
 
-#define GSIM_MOVE_KIND(name, number, constant) static_assert(constant == number);
+#define GSIM_MOVE_KIND(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/move_kind.def"
-#define GSIM_SEGMENT_KIND(name, number, constant) static_assert(constant == number);
+#define GSIM_SEGMENT_KIND(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/segment_kind.def"
 
 namespace {

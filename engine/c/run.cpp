@@ -6,9 +6,9 @@
 
 namespace gsim::engine {
 
-#define GSIM_RUN_STATUS(name, number, constant) static_assert(constant == number);
+#define GSIM_RUN_STATUS(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/run_status.def"
-#define GSIM_SEVERITY(name, number, constant) static_assert(constant == number);
+#define GSIM_SEVERITY(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/severity.def"
 
 Tell tell_of(gsim_tell tell, void* user) {

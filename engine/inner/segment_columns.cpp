@@ -46,11 +46,11 @@ void put(std::vector<double>& values, const motion::OrientationArc& way) {
 }
 
 // Each number fits into its bits of SegmentColumns::flags.
-#define GSIM_SEGMENT_KIND(name, number, constant) static_assert(number <= SegmentFlags::kKind);
+#define GSIM_SEGMENT_KIND(name, number, constant) static_assert((number) <= SegmentFlags::kKind);
 #include "base/kinds/segment_kind.def"
-#define GSIM_MOVE_KIND(name, number, constant) static_assert(number < 16);
+#define GSIM_MOVE_KIND(name, number, constant) static_assert((number) < 16);
 #include "base/kinds/move_kind.def"
-#define GSIM_LIMIT_KIND(name, number, words) static_assert(number < 16);
+#define GSIM_LIMIT_KIND(name, number, words) static_assert((number) < 16);
 #include "base/kinds/limit_kind.def"
 static_assert(rrs::kMaxJoints < 32);
 

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kApart = std::uint32_t{1} << 31U;
 inline constexpr double kNoShare = 1e-9;
 
 enum class SegmentKind {
-#define GSIM_SEGMENT_KIND(name, number, constant) name = number,
+#define GSIM_SEGMENT_KIND(name, number, constant) name = (number),
 #include "base/kinds/segment_kind.def"
 };
 
@@ -43,7 +43,7 @@ struct Follower {
 
 /// What kept a move from being faster.
 enum class LimitKind : std::uint8_t {
-#define GSIM_LIMIT_KIND(name, number, words) name = number,
+#define GSIM_LIMIT_KIND(name, number, words) name = (number),
 #include "base/kinds/limit_kind.def"
 };
 

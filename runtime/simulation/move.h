@@ -11,7 +11,7 @@
 namespace gsim::simulation {
 
 enum class MoveKind : std::uint8_t {
-#define GSIM_MOVE_KIND(name, number, constant) name = number,
+#define GSIM_MOVE_KIND(name, number, constant) name = (number),
 #include "base/kinds/move_kind.def"
 };
 

@@ -15,7 +15,7 @@
 namespace gsim::simulation {
 
 enum class RunStatus {
-#define GSIM_RUN_STATUS(name, number, constant) name = number,
+#define GSIM_RUN_STATUS(name, number, constant) name = (number),
 #include "base/kinds/run_status.def"
 };
 std::string_view name(RunStatus status);
