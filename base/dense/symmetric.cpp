@@ -6,18 +6,13 @@
 
 namespace gsim::base {
 
-Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
-    return symmetric_eigen(matrix).values;
-}
-
 // With its norm added to each eigenvalue, none is below 0: then they are the singular values, which
 // singular_values() has anyway. Eigen's own solver would take four seconds of each build.
-SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
     const double shift = matrix.norm();
     Eigen::MatrixXd shifted = matrix;
     shifted.diagonal().array() += shift;
-    const SingularValues singular = singular_values(shifted);
-    return {singular.values.reverse().array() - shift, singular.right.rowwise().reverse()};
+    return singular_values(shifted).values.reverse().array() - shift;
 }
 
 bool is_positive_definite(const Eigen::MatrixXd& matrix) {

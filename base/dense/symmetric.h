@@ -10,12 +10,6 @@ namespace gsim::base {
 /// The eigenvalues in ascending order, each to about 1e-16 of the greatest magnitude.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
-struct SymmetricEigen {
-    Eigen::VectorXd values;   ///< In ascending order.
-    Eigen::MatrixXd vectors;  ///< A column of length 1 for each value.
-};
-SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
-
 /// Whether all eigenvalues are above 0, by Cholesky's decomposition: much faster than the eigenvalues.
 bool is_positive_definite(const Eigen::MatrixXd& matrix);
 

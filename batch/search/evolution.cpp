@@ -1,10 +1,8 @@
 #include "batch/search/evolution.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include "base/dense/symmetric.h"
 
 namespace gsim::batch {
 
@@ -108,9 +106,9 @@ void Evolution::adapt(const MatrixXd& steps, const VectorXd& weights) {
 
 void Evolution::decompose() {
     const MatrixXd even = (covariance_ + covariance_.transpose()) / 2;
-    base::SymmetricEigen eigen = base::symmetric_eigen(even);
-    axes_ = std::move(eigen.vectors);
-    lengths_ = eigen.values.cwiseMax(1e-20).cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(even);
+    axes_ = solver.eigenvectors();
+    lengths_ = solver.eigenvalues().cwiseMax(1e-20).cwiseSqrt();
 }
 
 bool Evolution::is_done() const {

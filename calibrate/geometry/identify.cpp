@@ -70,7 +70,7 @@ Identified identify(const Eigen::MatrixXd& slopes, std::span<const Deviation> de
     std::vector<Eigen::Index> chosen;
     for (Eigen::Index k = 0; k < count && chosen.size() < rank; ++k) {
         chosen.push_back(k);
-        if (!(is_told(part_of(gram, chosen)))) chosen.pop_back();
+        if (!is_told(part_of(gram, chosen))) chosen.pop_back();
     }
     for (Eigen::Index k = 0; k < count; ++k) {
         const auto index = static_cast<std::size_t>(k);

@@ -69,18 +69,15 @@ double rosenbrock(const VectorXd& point) {
 }
 
 // Hansen and Ostermeier 2001, figure 3: to 1e-10 in 10 dimensions some 2,000 trials on the sphere, 6,000 on
-// the ellipsoid and the function of Rosenbrock. Here to 1e-6, as the step ends at 1e-5 of the box. One run in
-// some fifty takes longer on the sphere (3 of 200 seeds), so one of the runs may.
+// the ellipsoid and the function of Rosenbrock. Here to 1e-6, as the step ends at 1e-5 of the box.
 TEST(Evolution, TakesAsManyTrialsAsPublished) {
-    int longer = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        longer += least_of(sphere, 10, 1e-6, 2'000, seed).value < 1e-6 ? 0 : 1;
+        EXPECT_LT(least_of(sphere, 10, 1e-6, 2'000, seed).value, 1e-6) << seed;
         EXPECT_LT(least_of(ellipsoid, 10, 1e-3, 7'000, seed).value, 1e-3) << seed;
         // One time in some ten it ends in the other valley, as told there: 4 is the value of that.
         const double value = least_of(rosenbrock, 10, 1e-5, 9'000, seed).value;
         EXPECT_TRUE(value < 1e-5 || std::abs(value - 3.9866) < 0.1) << value;
     }
-    EXPECT_LE(longer, 1);
 }
 
 TEST(Evolution, FindsWhatLiesAtTheEdge) {

@@ -30,13 +30,6 @@ TEST(Symmetric, EigenvaluesAscend) {
     }
 }
 
-TEST(Symmetric, VectorsAreOrthogonalAndOnlyStretched) {
-    const Eigen::MatrixXd matrix = second_difference(9);
-    const SymmetricEigen eigen = symmetric_eigen(matrix);
-    EXPECT_TRUE((eigen.vectors.transpose() * eigen.vectors).isIdentity(1e-13));
-    EXPECT_TRUE((matrix * eigen.vectors).isApprox(eigen.vectors * eigen.values.asDiagonal(), 1e-13));
-}
-
 TEST(Symmetric, SolvesAndInverts) {
     // Of the second difference: min(i, k) (size + 1 - max(i, k)) / (size + 1).
     const Eigen::Index size = 6;
@@ -56,16 +49,11 @@ TEST(Symmetric, EigenvaluesOfEitherSign) {
     // A reflection in the plane across (1, 2, 2) / 3, stretched: -5 along it, 5 across.
     const Eigen::Vector3d along = Eigen::Vector3d(1, 2, 2) / 3;
     const Eigen::Matrix3d matrix = 5 * (Eigen::Matrix3d::Identity() - 2 * along * along.transpose());
-    const SymmetricEigen eigen = symmetric_eigen(matrix);
-    EXPECT_TRUE(eigen.values.isApprox(Eigen::Vector3d(-5, 5, 5), 1e-14));
-    EXPECT_NEAR(std::abs(eigen.vectors.col(0).dot(along)), 1, 1e-14);
-    EXPECT_TRUE((matrix * eigen.vectors).isApprox(eigen.vectors * eigen.values.asDiagonal(), 1e-13));
+    EXPECT_TRUE(symmetric_eigenvalues(matrix).isApprox(Eigen::Vector3d(-5, 5, 5), 1e-14));
 }
 
 TEST(Symmetric, OfNothingButZeros) {
-    const SymmetricEigen eigen = symmetric_eigen(Eigen::Matrix3d::Zero());
-    EXPECT_EQ(eigen.values, Eigen::VectorXd::Zero(3));
-    EXPECT_TRUE((eigen.vectors.transpose() * eigen.vectors).isIdentity(1e-15));
+    EXPECT_EQ(symmetric_eigenvalues(Eigen::Matrix3d::Zero()), Eigen::VectorXd::Zero(3));
     EXPECT_FALSE(is_positive_definite(Eigen::Matrix3d::Zero()));
 }
 

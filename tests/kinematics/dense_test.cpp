@@ -4,17 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/random_matrix.h"
+
 namespace gsim::kinematics::dense_test {
 namespace {
 
-// A matrix of a rank that is known, of two factors.
-Eigen::MatrixXd random_matrix(std::mt19937& random, Eigen::Index rows, Eigen::Index cols, Eigen::Index rank) {
-    std::normal_distribution<double> number;
-    const auto filled = [&](Eigen::Index m, Eigen::Index n) {
-        return Eigen::MatrixXd::NullaryExpr(m, n, [&] { return number(random); }).eval();
-    };
-    return filled(rows, rank) * filled(rank, cols);
-}
+using tests::random_matrix;
 
 TEST(SolveSymmetric, GivesTheSolution) {
     std::mt19937 random(8);
