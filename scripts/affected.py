@@ -8,7 +8,7 @@ Usage: affected.py files SINCE      the files that changed, new ones included an
        affected.py tests SINCE      the folders of tests (tests/NAME) of the folders with changed sources, and of those that include them
        affected.py readers SINCE    the fuzz targets of the readers in these folders
 
-SINCE `all`: everything."""
+SINCE `all`: everything. A source that only moved, or whose #include lines name a header that did, has not changed."""
 
 import re
 import subprocess
@@ -28,11 +28,30 @@ def tracked(*patterns):
     return [name for name in git("ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns) if Path(name).exists()]
 
 
+def without_folders(text):
+    """A source with the folders of its own headers left out, and these headers in the order of their names: the formatter sorts them."""
+    headers = sorted(Path(header).name for header in INCLUDE.findall(text))
+    return headers, INCLUDE.sub("", text).split()
+
+
+def is_same_source(since, before, after):
+    if not SOURCE.fullmatch(after) or not Path(after).exists():
+        return False
+    old = subprocess.run(["git", "show", f"{since}:{before}"], check=True, capture_output=True, text=True).stdout
+    return without_folders(old) == without_folders(Path(after).read_text(encoding="utf-8"))
+
+
 def changed_files(since):
     """All names that differ, deleted ones too."""
     if since == "all":
         return tracked()
-    return sorted({*git("diff", "--name-only", since, "--"), *git("ls-files", "--others", "--exclude-standard")})
+    found = set(git("ls-files", "--others", "--exclude-standard"))
+    for line in git("diff", "--name-status", "--find-renames", "-l0", since, "--"):
+        status, *names = line.split("\t")
+        if status[0] in "MR" and is_same_source(since, names[0], names[-1]):
+            continue
+        found.update(names)
+    return sorted(found)
 
 
 def includes():

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""What a change affects. Usage: affected_test.py SCRIPTS-FOLDER"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, sys.argv.pop(1))
+import affected
+
+SOURCES = {
+    "low/a.h": "int a();\n",
+    "low/b.h": "int b();\n",
+    "low/a.cpp": '#include "low/a.h"\n\nint a() { return 1; }\n',
+    "high/c.cpp": '#include "low/a.h"\n#include "low/b.h"\n\nint c() { return a() + b(); }\n',
+    "high/d.cpp": "int d() { return 2; }\n",
+}
+
+
+class Affected(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+        for name, text in SOURCES.items():
+            self.write(name, text)
+        self.git("init", "--quiet")
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "--quiet", "-m", "Begin")
+
+    def git(self, *words):
+        subprocess.run(["git", *words], check=True, capture_output=True)
+
+    def write(self, name, text):
+        path = pathlib.Path(name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def test_a_changed_header_affects_what_includes_it(self):
+        self.write("low/b.h", "long b();\n")
+        self.assertEqual(["low/b.h"], affected.changed_files("HEAD"))
+        self.assertEqual(["high/c.cpp"], affected.changed_sources("HEAD"))
+
+    def test_a_source_that_only_moved_has_not_changed(self):
+        self.git("mv", "low", "base")
+        self.write("base/a.cpp", SOURCES["low/a.cpp"].replace("low/", "base/"))
+        self.write("high/c.cpp", '#include "base/b.h"\n#include "base/a.h"\n\nint c() { return a() + b(); }\n')
+        self.git("add", ".")
+        self.assertEqual([], affected.changed_files("HEAD"))
+
+    def test_a_source_that_moved_and_changed_has_changed(self):
+        self.git("mv", "low", "base")
+        self.write("base/a.cpp", '#include "base/a.h"\n\nint a() { return 3; }\n')
+        self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("low/", "base/"))
+        self.git("add", ".")
+        self.assertEqual(["base/a.cpp", "low/a.cpp"], affected.changed_files("HEAD"))
+
+    def test_another_header_is_a_change(self):
+        self.write("high/d.cpp", '#include "low/a.h"\nint d() { return 2; }\n')
+        self.assertEqual(["high/d.cpp"], affected.changed_files("HEAD"))
+
+
+if __name__ == "__main__":
+    unittest.main()
