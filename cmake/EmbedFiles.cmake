@@ -25,7 +25,8 @@ function(gsim_embed target stem)
         VERBATIM)
     target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
     gsim_generated(${target} ${output}.h)
-    set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # all have the same names inside
+    # All have the same names inside, and reading the precompiled headers takes longer than reading the few that they include.
+    set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # The bytes of a file as character literals, 16 to a line.

@@ -57,9 +57,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 # Reading the same large headers again for each batch is a quarter of the time of a build. Builds in batches (preset release) read
-# them once: a set for libraries that run for each block, one with nlohmann-json for those that do not (its header has inline
-# functions that instantiate its parser in each unit, a quarter of a second), and a set for all tests. g++ takes the optimisation of a unit from
-# the precompiled header, so units that share one share their options. Debug builds and clang-tidy read each source as it stands, and so notice
+# them once: a set for libraries that run for each block, one for those that do not, and two for tests. g++ takes the optimisation of a
+# unit from the precompiled header, so units that share one share their options. nlohmann-json is in none: its header has inline functions
+# that instantiate its parser in each unit, a third of a second. Debug builds and clang-tidy read each source as it stands, and so notice
 # a missing #include. Definitions change what headers say: all have those of fmt and Eigen, whether they link them or not.
 option(GSIM_PRECOMPILE "Precompile the headers that most units read" ${GSIM_BATCHES})
 find_package(Eigen3 REQUIRED)
@@ -68,14 +68,12 @@ if(GSIM_PRECOMPILE)
     target_link_libraries(gsim_options INTERFACE Eigen3::Eigen fmt::fmt)
     set(headers <Eigen/Core> <Eigen/Geometry> <fmt/format.h> <tl/expected.hpp> <algorithm> <array> <cmath> <cstdio> <filesystem> <functional>
                 <map> <memory> <optional> <span> <string> <string_view> <utility> <vector>)
-    set(json_headers ${headers} "\"base/text/json.h\"")
     file(CONFIGURE OUTPUT precompiled.cpp CONTENT "int main() {}\n" @ONLY)
     foreach(set precompiled precompiled_cold)
         add_library(gsim_${set} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
         target_link_libraries(gsim_${set} PRIVATE gsim_options)
+        target_precompile_headers(gsim_${set} PRIVATE ${headers})
     endforeach()
-    target_precompile_headers(gsim_precompiled PRIVATE ${headers})
-    target_precompile_headers(gsim_precompiled_cold PRIVATE ${json_headers})
     target_compile_options(gsim_precompiled_cold PRIVATE ${GSIM_COLD_OPTIONS})
 endif()
 
@@ -87,6 +85,7 @@ function(gsim_library name)
     if(EMSCRIPTEN AND name MATCHES "^gsim_(lexer|grammar|codegen|script|motion|simulation|cell)$")
         target_compile_options(${name} PRIVATE -O2)
     endif()
+    set_property(TARGET ${name} PROPERTY GSIM_IS_COLD ${ARG_COLD})
     set(headers gsim_precompiled)
     if(ARG_COLD)
         target_compile_options(${name} PRIVATE ${GSIM_COLD_OPTIONS})
@@ -133,7 +132,7 @@ if(GSIM_PRECOMPILE AND GSIM_TESTS)
         add_executable(gsim_precompiled_${kind}_tests ${CMAKE_BINARY_DIR}/precompiled.cpp)
         target_link_libraries(gsim_precompiled_${kind}_tests PRIVATE gsim_options GTest::gtest GTest::gmock)
         gsim_test_options(gsim_precompiled_${kind}_tests ${kind})
-        target_precompile_headers(gsim_precompiled_${kind}_tests PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${json_headers} <random>)
+        target_precompile_headers(gsim_precompiled_${kind}_tests PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${headers} <random>)
     endforeach()
 endif()
 

@@ -166,8 +166,8 @@ std::optional<rrs::JointPos> place_tip(const PlannerSetup& setup, const rrs::Joi
     }
     if (!(std::abs(directions.determinant()) > kLeastDeterminant)) return std::nullopt;
     rrs::JointPos placed = joints;
-    put_position(setup.position_joints,
-                 position_of(setup, joints) + directions.partialPivLu().solve(point_mm - tip), placed);
+    put_position(setup.position_joints, position_of(setup, joints) + directions.inverse() * (point_mm - tip),
+                 placed);
     return placed;
 }
 
