@@ -122,7 +122,8 @@ since=$(base_commit)
 readonly since
 changed=$(scripts/affected.py files "$since") || exit
 readonly changed
-readonly cpp='\.(cpp|h|def|l|y)$' product='^(base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|calibrate|batch|cmake|samples)/|^CMake'
+product="^($(python3 -B scripts/rooms.py --folders)|cmake|samples)/|^CMake" || exit
+readonly cpp='\.(cpp|h|def|l|y)$' product
 
 install_tools || { echo "0 passed, 1 failed"; exit 1; }
 stage "format" "$cpp|^\.clang-format$|^scripts/lint" scripts/lint.sh format

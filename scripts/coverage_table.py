@@ -14,7 +14,7 @@ from pathlib import Path
 
 def room_of(name):
     folders = name.split("/")[:-1]
-    return "/".join(folders[:2] if folders[0] in ("base", "cam", "runtime") else folders[:1])
+    return "/".join(folders[:1] if folders[0] in ("apps", "cli", "codegen", "grammar", "lexer") else folders[:2])
 
 
 def rooms_of(summary):
@@ -37,7 +37,7 @@ def lines_with_code(file):
 
 def lua_missing(noted):
     run = set(Path(noted).read_text(encoding="utf-8").split())
-    for file in sorted(Path("lua_lib").glob("*.lua")):
+    for file in sorted(Path("lua_lib").rglob("*.lua")):
         lines = lines_with_code(file)
         yield file, len(lines), sorted(number for number in lines if f"{file}:{number}" not in run)
 

@@ -9,7 +9,8 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|calibrate|batch|bench'
+rooms=$(python3 -B scripts/rooms.py --folders)'|bench'
+readonly rooms
 
 format() {
     local code=0

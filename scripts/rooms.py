@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Holds each #include against the table of rooms in docs/architecture.md: what a room includes stands in its row, and what stands there is
 included somewhere. Rooms are in the order in which the table has them, from the ground up: a room uses none below its own row.
-Usage: rooms.py [--print] (--print: the rows as the sources have them)"""
+Usage: rooms.py             checks the table
+       rooms.py --print     the rows as the sources have them
+       rooms.py --folders   the top-level folders of the table, as a regular expression: 'base|lexer|...'"""
 
 import re
 import sys
@@ -89,8 +91,15 @@ def faults(table, used, homeless):
                 yield f"{PAGE}: {room}/ may use {use}, and nothing there does"
 
 
+def top_level_folders(table):
+    return list(dict.fromkeys(room.split("/")[0] for room in table))
+
+
 def main():
     table = rows((HERE / PAGE).read_text(encoding="utf-8"))
+    if "--folders" in sys.argv:
+        print("|".join(top_level_folders(table)))
+        return 0
     used, homeless = uses(HERE, table)
     if "--print" in sys.argv:
         for room in table:
