@@ -23,6 +23,9 @@ struct Mesh {
 /// A mesh cannot have more triangles than this.
 inline constexpr std::size_t kMaxTriangles = 5'000'000;
 
+/// How far triangles may be off the surfaces of a STEP or IGES file if a file does not say it.
+inline constexpr double kMeshTolerance_mm = 0.05;
+
 /// The surfaces of all bodies of a STEP or IGES file in triangles that are off them by `tolerance_mm`
 /// (greater than 0) at most. Lengths are those of the file's unit, in mm. The error is a sentence that names
 /// the file.

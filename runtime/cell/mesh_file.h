@@ -11,7 +11,6 @@
 #include "base/os/files.h"
 #include "cam/solid/mesh.h"
 #include "runtime/cell/triangle_mesh.h"
-#include "runtime/machine/link_shape.h"
 
 namespace gsim::cell {
 
@@ -37,7 +36,7 @@ struct MeshFiles {
 /// Reads a file: as read_mesh() does, of at most 512 MiB; or a STEP or IGES file (by its ending
 /// .step, .stp, .iges, .igs), whose surfaces become triangles that are off them by `tolerance_mm` at most.
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(
-    const std::filesystem::path& path, double scale, double tolerance_mm = machine::kMeshTolerance_mm,
+    const std::filesystem::path& path, double scale, double tolerance_mm = solid::kMeshTolerance_mm,
     const MeshFiles& files = {});
 
 }  // namespace gsim::cell

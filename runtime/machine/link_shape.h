@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "cam/solid/mesh.h"
 #include "runtime/machine/frame.h"
 
 namespace gsim::machine {
@@ -31,14 +32,11 @@ struct SphereShape {
     bool operator==(const SphereShape&) const = default;
 };
 
-/// How far triangles may be off the surfaces of a STEP or IGES file.
-inline constexpr double kMeshTolerance_mm = 0.05;
-
 /// A surface of triangles in a file of its own; coordinates times `scale` are mm.
 struct MeshShape {
     std::filesystem::path file;
     double scale = 1;
-    double tolerance_mm = kMeshTolerance_mm;  ///< For files that have curved surfaces.
+    double tolerance_mm = solid::kMeshTolerance_mm;  ///< For files that have curved surfaces.
     bool operator==(const MeshShape&) const = default;
 };
 
