@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cam/cutting/cut_rules.h"
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 namespace gsim::cutting {
 

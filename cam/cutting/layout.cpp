@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "base/text/number.h"
-#include "cam/geometry/chain.h"
-#include "cam/geometry/crossing.h"
-#include "cam/geometry/nesting.h"
-#include "cam/geometry/offset.h"
+#include "geometry/planar/chain.h"
+#include "geometry/planar/crossing.h"
+#include "geometry/planar/nesting.h"
+#include "geometry/planar/offset.h"
 
 namespace gsim::cutting {
 

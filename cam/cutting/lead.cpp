@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "cam/geometry/box_tree.h"
-#include "cam/geometry/meet.h"
+#include "geometry/planar/box_tree.h"
+#include "geometry/planar/meet.h"
 
 namespace gsim::cutting {
 

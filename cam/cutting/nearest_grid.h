@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cam/geometry/point.h"
+#include "geometry/planar/point.h"
 
 namespace gsim::cutting {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cam/geometry/point.h"
+#include "geometry/planar/point.h"
 
 namespace gsim::cutting {
 

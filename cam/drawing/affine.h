@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cam/geometry/point.h"
+#include "geometry/planar/point.h"
 
 namespace gsim::drawing {
 

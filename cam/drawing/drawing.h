@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 namespace gsim::drawing {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cam/geometry/point.h"
+#include "geometry/planar/point.h"
 
 namespace gsim::drawing {
 

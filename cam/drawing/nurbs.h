@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cam/geometry/fit.h"
+#include "geometry/planar/fit.h"
 
 namespace gsim::drawing {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cam/drawing/drawing.h"
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 
 namespace gsim::drawing {
 

@@ -6,7 +6,7 @@
 
 #include "cam/drawing/affine.h"
 #include "cam/drawing/nurbs.h"
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 namespace gsim::drawing {
 

@@ -4,7 +4,7 @@
 
 #include "base/text/format.h"
 #include "cam/solid/contours_packet.h"
-#include "cam/solid/reader_process.h"
+#include "geometry/mesh/reader_process.h"
 
 namespace gsim::solid {
 

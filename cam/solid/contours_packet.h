@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cam/solid/contours.h"
-#include "cam/solid/packet.h"
+#include "geometry/mesh/packet.h"
 
 namespace gsim::solid {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cam/solid/plate_packet.h"
-#include "cam/solid/reader_process.h"
+#include "geometry/mesh/reader_process.h"
 
 namespace gsim::solid {
 

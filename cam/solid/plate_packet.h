@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cam/solid/packet.h"
 #include "cam/solid/plate.h"
+#include "geometry/mesh/packet.h"
 
 namespace gsim::solid {
 

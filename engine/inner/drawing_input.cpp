@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "cam/drawing/drawing_file.h"
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace gsim::engine {
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "cam/cutting/autopath.h"
-#include "cam/solid/mesh.h"
 #include "cam/waterjet/job_report.h"
 #include "engine/inner/cutting_rules.h"
 #include "engine/inner/cutting_site.h"
@@ -16,6 +15,7 @@
 #include "engine/inner/host_names.h"
 #include "engine/inner/surface_input.h"
 #include "engine/inner/values.h"
+#include "geometry/mesh/mesh.h"
 #include "runtime/path/json_writer.h"
 
 namespace gsim::engine {

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/host.h"
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 #include "runtime/simulation/cell_watch.h"
 
 namespace gsim::engine {

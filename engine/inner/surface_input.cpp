@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace gsim::engine {
 

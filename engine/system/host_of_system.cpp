@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/os/installation.h"
-#include "cam/solid/mesh.h"
 #include "engine/system/installed_files.h"
+#include "geometry/mesh/mesh.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/rrs/rcs_process.h"

@@ -4,7 +4,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 #include "runtime/dynamics/rigid_body.h"
 #include "runtime/machine/link_shape.h"
 

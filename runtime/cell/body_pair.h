@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/distance/shape.h"
 #include "runtime/cell/link_motion.h"
-#include "runtime/cell/shape.h"
 
 namespace gsim::cell {
 

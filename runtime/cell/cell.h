@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/distance/shape.h"
 #include "runtime/cell/carrier.h"
 #include "runtime/cell/frame_tree.h"
-#include "runtime/cell/shape.h"
 
 namespace gsim::cell {
 

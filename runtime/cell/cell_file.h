@@ -8,8 +8,8 @@
 
 #include <tl/expected.hpp>
 
+#include "geometry/mesh/mesh_file.h"
 #include "runtime/cell/cell.h"
-#include "runtime/cell/mesh_file.h"
 
 namespace gsim::cell {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "runtime/machine/frame.h"
 
 namespace gsim::machine {

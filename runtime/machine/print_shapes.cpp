@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "runtime/machine/frame_section.h"
 
 namespace gsim::machine {

@@ -5,7 +5,7 @@
 
 #include "base/text/printable.h"
 #include "base/toml/toml_text.h"
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace gsim::machine {
 
@@ -49,7 +49,8 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
         section.fail("mesh", "'mesh' must name a file, without control characters");
         return std::nullopt;
     }
-    const double tolerance_mm = section.number("tolerance_mm", solid::kMeshTolerance_mm, NumberRule::positive);
+    const double tolerance_mm =
+        section.number("tolerance_mm", solid::kMeshTolerance_mm, NumberRule::positive);
     if (section.has("tolerance_mm") && !solid::is_solid_file(name)) {
         section.fail("tolerance_mm",
                      "'tolerance_mm' is for STEP and IGES files; this mesh is made of triangles");

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 #include "runtime/dynamics/dynamics.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/move_limits.h"

@@ -1,4 +1,4 @@
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 
 #include <bit>
 

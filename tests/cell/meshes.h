@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "runtime/cell/triangle_mesh.h"
+#include "geometry/distance/triangle_mesh.h"
 
 namespace gsim::cell {
 

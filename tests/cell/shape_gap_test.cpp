@@ -3,7 +3,7 @@
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/shape.h"
+#include "geometry/distance/shape.h"
 #include "tests/cell/meshes.h"
 
 namespace gsim::cell::shape_gap_test {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cam/cutting/lead.h"
-#include "cam/geometry/meet.h"
-#include "cam/geometry/nesting.h"
+#include "geometry/planar/meet.h"
+#include "geometry/planar/nesting.h"
 #include "runtime/path/validate.h"
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"

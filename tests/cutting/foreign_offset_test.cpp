@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "cam/drawing/drawing_file.h"
-#include "cam/geometry/chain.h"
-#include "cam/geometry/crossing.h"
-#include "cam/geometry/offset.h"
+#include "geometry/planar/chain.h"
+#include "geometry/planar/crossing.h"
+#include "geometry/planar/offset.h"
 #include "tests/geometry/clipper_area.h"
 
 namespace gsim::cutting::foreign_offset_test {

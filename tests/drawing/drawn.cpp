@@ -7,7 +7,7 @@
 
 #include "cam/drawing/dxf_reader.h"
 #include "cam/drawing/svg_reader.h"
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 
 namespace gsim::drawing {
 

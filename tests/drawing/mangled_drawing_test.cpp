@@ -6,7 +6,7 @@
 
 #include "cam/drawing/dxf_reader.h"
 #include "cam/drawing/svg_reader.h"
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 #include "tests/drawing/drawn.h"
 
 namespace gsim::drawing::mangled_drawing_test {

@@ -5,7 +5,7 @@
 #include "cam/cutting/autopath.h"
 #include "cam/drawing/dxf_reader.h"
 #include "cam/drawing/svg_reader.h"
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 #include "runtime/path/validate.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"

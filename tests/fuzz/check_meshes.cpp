@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "cam/solid/contours_packet.h"
-#include "cam/solid/mesh_packet.h"
 #include "cam/solid/plate_packet.h"
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
+#include "geometry/mesh/mesh_packet.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 

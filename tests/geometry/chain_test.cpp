@@ -1,4 +1,4 @@
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 namespace gsim::geometry {
 

@@ -1,4 +1,4 @@
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cam/geometry/crossing.h"
+#include "geometry/planar/crossing.h"
 
 #include <gtest/gtest.h>
 

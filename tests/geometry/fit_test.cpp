@@ -1,4 +1,4 @@
-#include "cam/geometry/fit.h"
+#include "geometry/planar/fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cam/geometry/nesting.h"
+#include "geometry/planar/nesting.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "cam/geometry/offset.h"
+#include "geometry/planar/offset.h"
 
 #include <gtest/gtest.h>
 
-#include "cam/geometry/box_tree.h"
-#include "cam/geometry/crossing.h"
+#include "geometry/planar/box_tree.h"
+#include "geometry/planar/crossing.h"
 #include "tests/geometry/clipper_area.h"
 #include "tests/geometry/shapes.h"
 

@@ -1,6 +1,6 @@
 #include "tests/geometry/shapes.h"
 
-#include "cam/geometry/crossing.h"
+#include "geometry/planar/crossing.h"
 
 namespace gsim::geometry {
 

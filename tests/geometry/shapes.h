@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "cam/geometry/contour.h"
+#include "geometry/planar/contour.h"
 
 namespace gsim::geometry {
 

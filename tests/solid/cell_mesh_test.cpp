@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::cell::cell_mesh_test {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cam/solid/contours.h"
-#include "cam/solid/mesh.h"
 #include "cam/solid/plate.h"
+#include "geometry/mesh/mesh.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::solid::mangled_solid_test {

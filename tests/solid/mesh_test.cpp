@@ -1,4 +1,4 @@
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "cam/solid/packet.h"
+#include "geometry/mesh/packet.h"
 
 #include <gtest/gtest.h>
 

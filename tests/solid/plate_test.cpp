@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cam/cutting/layout.h"
-#include "cam/geometry/chain.h"
+#include "geometry/planar/chain.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::solid::plate_test {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace gsim::solid::without_reader_test {
 

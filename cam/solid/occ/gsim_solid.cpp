@@ -21,12 +21,12 @@
 #include <unistd.h>
 
 #include "cam/solid/contours_packet.h"
-#include "cam/solid/mesh_packet.h"
 #include "cam/solid/occ/contour_reader.h"
 #include "cam/solid/occ/plate_reader.h"
 #include "cam/solid/occ/shape_file.h"
 #include "cam/solid/occ/tessellation.h"
 #include "cam/solid/plate_packet.h"
+#include "geometry/mesh/mesh_packet.h"
 
 namespace {
 

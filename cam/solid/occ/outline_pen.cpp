@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cam/geometry/fit.h"
+#include "geometry/planar/fit.h"
 
 namespace gsim::solid {
 

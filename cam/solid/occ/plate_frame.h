@@ -5,7 +5,7 @@
 #include <gp_Vec.hxx>
 #include <string>
 
-#include "cam/geometry/point.h"
+#include "geometry/planar/point.h"
 
 namespace gsim::solid {
 

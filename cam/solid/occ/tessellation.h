@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "cam/solid/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace gsim::solid {
 

@@ -1,0 +1,78 @@
+#include "geometry/mesh/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include "base/os/input_file.h"
+#include "base/text/letter_case.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/mesh_text.h"
+
+namespace gsim::cell {
+
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{512} << 20U;
+
+bool is_obj(std::string_view file_name) {
+    return text::lower(file_name).ends_with(".obj");
+}
+
+tl::expected<TriangleSoup, std::string> read_soup(std::string_view bytes, std::string_view file_name) {
+    if (is_obj(file_name)) return read_obj(bytes);
+    // Some binary files begin with "solid", too: the size tells them from text.
+    if (is_stl_binary(bytes) || !bytes.starts_with("solid")) return read_stl_binary(bytes);
+    return read_stl_text(bytes);
+}
+
+std::optional<std::string> find_fault(const TriangleSoup& soup) {
+    if (soup.triangles.empty()) return "there is no triangle in it";
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+        const double largest = soup.vertices[i].cwiseAbs().maxCoeff();
+        if (largest <= kMaxLength_mm) continue;
+        return fmt::format("vertex {} is at {:.6g} mm; coordinates go up to {:.0f} mm", i + 1, largest,
+                           kMaxLength_mm);
+    }
+    return std::nullopt;
+}
+
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> make_mesh(TriangleSoup soup,
+                                                                         std::string_view file_name,
+                                                                         double scale) {
+    for (Eigen::Vector3d& vertex : soup.vertices) vertex *= scale;
+    if (const auto fault = find_fault(soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *fault));
+    return std::make_shared<const TriangleMesh>(std::move(soup.vertices), soup.triangles);
+}
+
+TriangleSoup soup_of(const solid::Mesh& mesh) {
+    TriangleSoup soup;
+    soup.vertices.reserve(mesh.vertices_mm.size());
+    for (const auto& [x, y, z] : mesh.vertices_mm) soup.vertices.emplace_back(x, y, z);
+    soup.triangles = mesh.triangles;
+    return soup;
+}
+
+}  // namespace
+
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
+                                                                         std::string_view file_name,
+                                                                         double scale) {
+    auto soup = read_soup(bytes, file_name);
+    if (!soup) return tl::unexpected(fmt::format("{}{}", file_name, soup.error()));
+    return make_mesh(*std::move(soup), file_name, scale);
+}
+
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
+                                                                         double scale, double tolerance_mm,
+                                                                         const MeshFiles& files) {
+    const std::string name = path.string();
+    if (solid::is_solid_file(path)) {
+        const auto mesh = files.read_solid(path, tolerance_mm);
+        if (!mesh) return tl::unexpected(mesh.error());
+        return make_mesh(soup_of(*mesh), name, scale);
+    }
+    const auto bytes = files.files.read(path, os::NamedBy::a_file, kMaxBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return read_mesh(*bytes, name, scale);
+}
+
+}  // namespace gsim::cell

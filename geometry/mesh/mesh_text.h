@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "geometry/distance/triangle_mesh.h"
+
+namespace gsim::cell {
+
+inline constexpr std::size_t kMaxTriangles = 5'000'000;
+inline constexpr double kMaxLength_mm = 1e6;
+
+/// Vertices and triangles as a file has them; vertices may stand there more than once.
+struct TriangleSoup {
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<Triangle> triangles;
+
+    /// Adds a triangle with vertices of its own.
+    void add(const std::array<Eigen::Vector3d, 3>& corners);
+};
+
+/// The words of a text, line by line.
+class TextWords {
+  public:
+    explicit TextWords(std::string_view text) : rest_(text) {}
+
+    /// The next word, of this line or of a later one; empty at the end.
+    std::string_view next();
+    /// The next word of this line; empty at its end.
+    std::string_view next_in_line();
+    /// Leaves the rest of this line out. False at the end of the text.
+    bool skip_line();
+    std::size_t line() const { return line_; }
+
+  private:
+    std::string_view rest_;
+    std::size_t line_ = 1;
+};
+
+/// A finite number that is all of the word.
+std::optional<double> number_of(std::string_view word);
+
+/// The readers of the formats; errors are ": sentence" or ":line: sentence", to stand behind a file's name.
+tl::expected<TriangleSoup, std::string> read_stl_text(std::string_view text);
+tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes);
+tl::expected<TriangleSoup, std::string> read_obj(std::string_view text);
+/// Whether the size is that which the count in the header of a binary STL file asks for.
+bool is_stl_binary(std::string_view bytes);
+
+}  // namespace gsim::cell

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tl/expected.hpp>
+
+#include "geometry/mesh/packet.h"
+
+namespace gsim::solid {
+
+/// Runs gsim-solid, the program that reads STEP and IGES files through OpenCASCADE, on a file: the packet
+/// that it answers with. It is a process of its own because OpenCASCADE crashes on some damaged files, prints
+/// to standard output, keeps global state, and takes 40 ms to load, which programs that read no such file
+/// need not wait for.
+///
+/// The error is a sentence that names the file: it is not there, or too large, or gsim-solid says what is
+/// wrong with it, or crashed, or this build has no gsim-solid.
+tl::expected<std::string, std::string> ask_reader(const std::string& question,
+                                                  const std::filesystem::path& file,
+                                                  const std::vector<std::string>& settings);
+
+/// What `take` makes of the packet (PacketReader), all of which it has to use up.
+template <typename Take>
+auto ask_reader_for(const std::string& question, const std::filesystem::path& file,
+                    const std::vector<std::string>& settings, Take take)
+    -> tl::expected<std::invoke_result_t<Take, PacketReader&>, std::string> {
+    const auto answer = ask_reader(question, file, settings);
+    if (!answer) return tl::unexpected(answer.error());
+    PacketReader packet(*answer);
+    auto taken = take(packet);
+    if (packet.is_whole()) return taken;
+    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+}
+
+}  // namespace gsim::solid

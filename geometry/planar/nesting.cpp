@@ -1,0 +1,80 @@
+#include "geometry/planar/nesting.h"
+
+#include "geometry/planar/box_tree.h"
+
+namespace gsim::geometry {
+
+namespace {
+
+// Whether a ray from the point to the right passes the edge an odd number of times: that of its chord, and
+// once more from between the arc and its chord.
+bool ray_passes(const Edge& edge, Point point) {
+    const Point a = edge.start;
+    const Point b = edge.end;
+    // On the line of the chord the point counts as a little higher: both tests must see it on one side.
+    const double side = cross(b - a, point - a);
+    const bool left = side > 0 || (side == 0 && b.x > a.x);
+    bool passes = (a.y > point.y) != (b.y > point.y) && left == (b.y > a.y);
+    if (!is_arc(edge)) return passes;
+    if (left != (edge.bulge > 0) && distance(center(edge), point) < radius_mm(edge)) passes = !passes;
+    return passes;
+}
+
+// Of a list of numbers those that are in it an odd number of times.
+std::vector<std::uint32_t> odd_ones(std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    std::vector<std::uint32_t> odd;
+    for (const std::uint32_t number : numbers) {
+        if (!odd.empty() && odd.back() == number) {
+            odd.pop_back();
+        } else {
+            odd.push_back(number);
+        }
+    }
+    return odd;
+}
+
+}  // namespace
+
+std::vector<Nest> nest(std::span<const Contour> contours) {
+    std::vector<EdgeId> edges;
+    std::vector<Box> boxes;
+    std::vector<double> areas;
+    areas.reserve(contours.size());
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+        areas.push_back(std::abs(area_mm2(contours[c])));
+        for (std::size_t e = 0; e < contours[c].edges(); ++e) {
+            edges.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
+            boxes.push_back(box_of(contours[c].edge(e)));
+        }
+    }
+    const BoxTree tree(boxes);
+    std::vector<Nest> nests(contours.size());
+    std::vector<std::uint32_t> passed;
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+        if (contours[c].vertices.empty()) continue;
+        const Point point = contours[c].vertices.front().position;
+        passed.clear();
+        tree.visit({point, {HUGE_VAL, point.y}}, [&](std::size_t i) {
+            const EdgeId edge = edges[i];
+            if (edge.contour != c && ray_passes(contours[edge.contour].edge(edge.edge), point)) {
+                passed.push_back(edge.contour);
+            }
+            return true;
+        });
+        for (const std::uint32_t around : odd_ones(passed)) {
+            Nest& own = nests[c];
+            ++own.depth;
+            if (!own.parent || areas[around] < areas[*own.parent]) own.parent = around;
+        }
+    }
+    return nests;
+}
+
+bool inside(const Contour& contour, Point point) {
+    bool odd = false;
+    for (std::size_t i = 0; i < contour.edges(); ++i) odd ^= ray_passes(contour.edge(i), point);
+    return odd;
+}
+
+}  // namespace gsim::geometry
