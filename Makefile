@@ -110,7 +110,7 @@ coverage:
 docs: setup
 	@$(call build_into,release) --target gsim
 	@build/bin/gcode2lua --print-language > docs/language.md
-	@scripts/services.py runtime/rrs/rcs_services.def > docs/services.md
+	@scripts/services.py controller/module/rcs_services.def > docs/services.md
 
 pictures: build
 	@scripts/pictures.sh build

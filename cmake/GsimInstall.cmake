@@ -18,10 +18,10 @@ endforeach()
 
 configure_file(cmake/gsim.pc.in gsim.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/gsim.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT development)
-install(FILES runtime/rrs/rcs_module.h runtime/rrs/rcs_services.def DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gsim COMPONENT development)
+install(FILES controller/module/rcs_module.h controller/module/rcs_services.def DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gsim COMPONENT development)
 # The example finds the header where a maker of modules has it.
 file(READ tests/rrs/modules/small_module.c example)
-string(REPLACE "\"runtime/rrs/rcs_module.h\"" "<gsim/rcs_module.h>" example "${example}")
+string(REPLACE "\"controller/module/rcs_module.h\"" "<gsim/rcs_module.h>" example "${example}")
 file(CONFIGURE OUTPUT examples/small_module.c CONTENT "${example}" @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/rrs/modules/small_module.c)
 install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)

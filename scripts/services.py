@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Prints docs/services.md, the services of a controller, from the list that they are made of; or checks it.
-Usage: scripts/services.py runtime/rrs/rcs_services.def [docs/services.md]"""
+Usage: scripts/services.py controller/module/rcs_services.def [docs/services.md]"""
 
 import re
 import sys
 
 HEAD = """# Services of a controller
 
-Made by `make docs` from `runtime/rrs/rcs_services.def`, of which the program makes its interfaces, too.
+Made by `make docs` from `controller/module/rcs_services.def`, of which the program makes its interfaces, too.
 
 A service answers a status: `RRS_SUCCESS` (0), a positive one with news, or a negative one, after which nothing has changed. Beside those of the table any
 service may answer `RRS_NOT_INITIALIZED`, `RRS_SERVICE_NOT_SUPPORTED`, `RRS_INVALID_PARAMETER` (a number that is not finite or out of its range) and, of a

@@ -6,9 +6,9 @@
 #include <tl/expected.hpp>
 
 #include "base/os/files.h"
+#include "controller/services/controller_rules.h"
 #include "engine/request.h"
 #include "runtime/motion/override_schedule.h"
-#include "runtime/rrs/controller_rules.h"
 
 namespace gsim::engine {
 

@@ -6,12 +6,12 @@
 
 #include <tl/expected.hpp>
 
+#include "controller/module/rcs_host.h"
 #include "engine/inner/machine_input.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/script_input.h"
 #include "engine/request.h"
 #include "runtime/machine/machine_data_document.h"
-#include "runtime/rrs/rcs_host.h"
 #include "runtime/script/script.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/probe.h"

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "base/os/installation.h"
+#include "controller/module/rcs_host.h"
+#include "controller/module/rcs_process.h"
 #include "engine/system/installed_files.h"
 #include "geometry/mesh/mesh.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/rrs/rcs_host.h"
-#include "runtime/rrs/rcs_process.h"
 #include "runtime/simulation/setup_of_machine.h"
 
 namespace gsim::engine {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::cell {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::kinematics {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::kinematics {
 

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::kinematics {
 

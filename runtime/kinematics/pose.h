@@ -4,7 +4,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::kinematics {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::machine {
 

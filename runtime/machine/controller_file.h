@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "base/os/files.h"
-#include "runtime/rrs/controller_rules.h"
+#include "controller/services/controller_rules.h"
 
 namespace gsim::base {
 class TomlSection;

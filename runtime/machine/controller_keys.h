@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/rrs/controller_rules.h"
+#include "controller/services/controller_rules.h"
 
 namespace gsim::base {
 class TomlSection;

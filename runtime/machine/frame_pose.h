@@ -1,7 +1,7 @@
 #pragma once
 
+#include "controller/services/types.h"
 #include "runtime/machine/machine.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::machine {
 

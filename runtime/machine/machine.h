@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/services/controller_rules.h"
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/machine/axis_direction.h"
 #include "runtime/machine/axis_group.h"
@@ -20,7 +21,6 @@
 #include "runtime/machine/program_table.h"
 #include "runtime/machine/servo_table.h"
 #include "runtime/machine/word_times.h"
-#include "runtime/rrs/controller_rules.h"
 
 namespace gsim::machine {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/toml/toml_text.h"
-#include "runtime/rrs/controller_rules.h"
+#include "controller/services/controller_rules.h"
 
 namespace gsim::base {
 class TomlSection;

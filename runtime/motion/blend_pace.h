@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/segment.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

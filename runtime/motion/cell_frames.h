@@ -4,8 +4,8 @@
 
 #include <tl/expected.hpp>
 
+#include "controller/services/types.h"
 #include "runtime/motion/plan_error.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

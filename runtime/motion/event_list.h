@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/held_targets.h"
 #include "runtime/motion/segment_queue.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::motion {
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "controller/services/types.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -3,12 +3,12 @@
 #include <array>
 #include <memory>
 
+#include "controller/services/types.h"
 #include "runtime/motion/arc.h"
 #include "runtime/motion/move_rules.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/segment.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/move_terms.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

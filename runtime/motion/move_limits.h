@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "controller/services/types.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -2,11 +2,11 @@
 
 #include <memory>
 
+#include "controller/services/types.h"
 #include "runtime/motion/move_rules.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/ramps.h"
 #include "runtime/motion/s_curve.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

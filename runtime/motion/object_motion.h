@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <deque>
 
+#include "controller/services/types.h"
 #include "runtime/motion/plan_error.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -4,9 +4,9 @@
 
 #include <tl/expected.hpp>
 
+#include "controller/services/types.h"
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/motion/arc.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

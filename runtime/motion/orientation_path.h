@@ -4,12 +4,12 @@
 
 #include <tl/expected.hpp>
 
+#include "controller/services/types.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/move_rules.h"
 #include "runtime/motion/orientation_arc.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/status.h"
+#include "controller/services/status.h"
 
 namespace gsim::motion {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "controller/services/controller_rules.h"
+#include "controller/services/types.h"
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/motion/range_notes.h"
-#include "runtime/rrs/controller_rules.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

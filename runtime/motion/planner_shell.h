@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
+#include "controller/services/shell.h"
 #include "runtime/motion/cell_frames.h"
 #include "runtime/motion/machine_frames.h"
 #include "runtime/motion/object_motion.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner.h"
 #include "runtime/motion/selections.h"
-#include "runtime/rrs/shell.h"
 
 namespace gsim::motion {
 
@@ -43,7 +43,7 @@ class PlannerShell : public rrs::Shell {
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, answers, parameters, arguments) \
     rrs::Status method parameters override;
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 
   protected:
     rrs::Status not_supported(std::string_view service) override;

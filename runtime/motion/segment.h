@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/arc.h"
 #include "runtime/motion/orientation_arc.h"
 #include "runtime/motion/time_law.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::motion {
 

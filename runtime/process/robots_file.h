@@ -8,9 +8,9 @@
 #include <tl/expected.hpp>
 
 #include "base/os/input_file.h"
+#include "controller/services/types.h"
 #include "runtime/process/conveyor.h"
 #include "runtime/process/shared_zones.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::process {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/machine/link_shape.h"
 #include "runtime/process/schedule.h"
-#include "runtime/rrs/types.h"
 #include "runtime/simulation/report.h"
 
 namespace gsim::process {

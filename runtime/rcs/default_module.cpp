@@ -1,8 +1,8 @@
 // Our own planner as a controller module.
 
+#include "controller/module/rcs_export.h"
 #include "runtime/motion/default_planner.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/rrs/rcs_export.h"
 
 namespace {
 

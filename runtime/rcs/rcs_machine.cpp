@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "base/toml/toml_text.h"
+#include "controller/module/rcs_values.h"
 #include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
 #include "runtime/kinematics/numeric.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
-#include "runtime/rrs/rcs_values.h"
 
 namespace gsim::rcs {
 

@@ -5,8 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "controller/module/rcs_module.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/rcs_module.h"
 
 namespace gsim::rcs {
 

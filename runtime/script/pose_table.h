@@ -2,7 +2,7 @@
 
 #include <lua.hpp>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::script {
 

@@ -177,7 +177,7 @@ void add_service(lua_State* state, Interpreter& interpreter, const char* name) {
 void add_rrs(lua_State* state, Interpreter& interpreter) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     add_service<&Shell::method>(state, interpreter, #method);
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
     lua_pushcfunction(state, trampoline<status_name>);
     lua_setfield(state, -2, "status_name");
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/rrs/service_call.h"
+#include "controller/services/service_call.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/choice.h"
 #include "runtime/script/pose_table.h"

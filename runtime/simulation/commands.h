@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 #include "runtime/simulation/move.h"
 
 namespace gsim::simulation {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "controller/module/rcs_shell.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/segment.h"
-#include "runtime/rrs/rcs_shell.h"
 #include "runtime/simulation/motion_source.h"
 
 namespace gsim::simulation {

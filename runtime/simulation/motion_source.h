@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "controller/services/shell.h"
 #include "runtime/motion/cell_frames.h"
 #include "runtime/motion/planner.h"
 #include "runtime/motion/selections.h"
-#include "runtime/rrs/shell.h"
 #include "runtime/simulation/motion_observer.h"
 
 namespace gsim::simulation {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 #include "runtime/simulation/report.h"
 
 namespace gsim::simulation {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "controller/services/types.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::simulation {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/text/diagnostic.h"
+#include "controller/services/types.h"
 #include "runtime/motion/override_schedule.h"
-#include "runtime/rrs/types.h"
 #include "runtime/simulation/effort_report.h"
 #include "runtime/simulation/following_report.h"
 #include "runtime/simulation/move.h"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "controller/module/rcs_host.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/commands.h"

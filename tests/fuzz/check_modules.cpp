@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "controller/module/rcs_shell.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/rrs/rcs_shell.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/fuzz/checks.h"

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "controller/module/rcs_host.h"
 #include "runtime/cell/cell.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/override_schedule.h"
-#include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/report.h"
 #include "tests/fuzz/target.h"
 

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "controller/module/rcs_process.h"
+#include "controller/module/rcs_shell.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/rrs/rcs_process.h"
-#include "runtime/rrs/rcs_shell.h"
 #include "tests/build_files/build_files.h"
 #include "tests/motion/machines.h"
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/rrs/service_call.h"
-#include "runtime/rrs/services.h"
+#include "controller/services/service_call.h"
+#include "controller/services/services.h"
 #include "tests/motion/planner_under_test.h"
 #include "tests/rrs/service_values.h"
 
@@ -43,7 +43,7 @@ std::vector<Call> all_calls() {
     calls.push_back({rrs::services::method, [](Shell& shell, rrs::ServiceValues& values) {          \
                          return call_with_any(shell, &Shell::method, values);                       \
                      }});
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
     return calls;
 }
 

@@ -1,12 +1,12 @@
-#include "runtime/rrs/rcs_codec.h"
+#include "controller/module/rcs_codec.h"
 
 #include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "runtime/rrs/service_call.h"
-#include "runtime/rrs/services.h"
+#include "controller/services/service_call.h"
+#include "controller/services/services.h"
 #include "tests/rrs/service_values.h"
 
 namespace gsim::rrs::rcs_codec_test {
@@ -45,7 +45,7 @@ void expect_same_behind_the_interface(const Service& service, Status (Shell::*)(
 TEST(RcsCodec, WhatServicesTakeComesThroughTheInterface) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     expect_same_behind_the_interface<gsim_rcs_##input>(services::method, &Shell::method);
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 }
 
 TEST(RcsCodec, WhatDoesNotFitIsTold) {
@@ -82,7 +82,7 @@ TEST(Services, HaveNumbersOfTheirOwn) {
         ++in_rrs;                                                                            \
         of_rrs.insert(rrs);                                                                  \
     }
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
     EXPECT_EQ(opcodes.size(), services);
     EXPECT_EQ(of_rrs.size(), in_rrs);
     EXPECT_GE(in_rrs, 42U);

@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_host.h"
+#include "controller/module/rcs_host.h"
 
 #include <filesystem>
 #include <fstream>

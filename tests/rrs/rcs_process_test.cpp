@@ -1,6 +1,6 @@
 // What a module does to its process is no matter of the program that asks it.
 
-#include "runtime/rrs/rcs_process.h"
+#include "controller/module/rcs_process.h"
 
 #include <chrono>
 #include <csignal>
@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "runtime/rrs/rcs_shell.h"
+#include "controller/module/rcs_shell.h"
 #include "tests/build_files/build_files.h"
 #include "tests/rrs/test_module.h"
 #include "tests/support/soon.h"

@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_shell.h"
+#include "controller/module/rcs_shell.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_trial.h"
+#include "controller/module/rcs_trial.h"
 
 #include <chrono>
 #include <csignal>

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "runtime/rrs/types.h"
+#include "controller/services/types.h"
 
 namespace gsim::rrs {
 

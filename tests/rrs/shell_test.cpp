@@ -1,4 +1,4 @@
-#include "runtime/rrs/shell.h"
+#include "controller/services/shell.h"
 
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/rrs/service_call.h"
+#include "controller/services/service_call.h"
 #include "tests/rrs/service_values.h"
 
 namespace gsim::rrs::shell_test {
@@ -43,7 +43,7 @@ TEST(Shell, EveryServiceWithoutAnImplementationSaysSoByItsName) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments)       \
     EXPECT_EQ(call_with_any(shell, &Shell::method), Status::RRS_SERVICE_NOT_SUPPORTED) << #method; \
     EXPECT_EQ(shell.asked, #method);
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 }
 
 }  // namespace

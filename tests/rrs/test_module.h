@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/rrs/rcs_host.h"
-#include "runtime/rrs/rcs_process.h"
-#include "runtime/rrs/rcs_values.h"
+#include "controller/module/rcs_host.h"
+#include "controller/module/rcs_process.h"
+#include "controller/module/rcs_values.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::rrs {

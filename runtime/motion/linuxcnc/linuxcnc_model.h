@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "controller/services/controller_rules.h"
 #include "runtime/motion/linuxcnc/axes.h"
 #include "runtime/motion/linuxcnc/held_piece.h"
 #include "runtime/motion/linuxcnc/join.h"
@@ -10,7 +11,6 @@
 #include "runtime/motion/linuxcnc/writer.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/rrs/controller_rules.h"
 
 namespace gsim::motion {
 

@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "controller/services/types.h"
 #include "runtime/motion/arc.h"
 #include "runtime/motion/linuxcnc/planning.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/motion/segment.h"
-#include "runtime/rrs/types.h"
 
 namespace gsim::motion::linuxcnc {
 

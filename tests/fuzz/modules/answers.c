@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "runtime/rrs/rcs_module.h"
+#include "controller/module/rcs_module.h"
 
 #define KEEPS 0xC0
 #define CHANGES_STATUS 1
@@ -32,7 +32,7 @@ static size_t output_size(int32_t opcode) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments)
 #define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
     case GSIM_RCS_##opcode: return sizeof(gsim_rcs_##output);
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
         default: return 0;
     }
 }

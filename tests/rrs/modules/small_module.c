@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "runtime/rrs/rcs_module.h"
+#include "controller/module/rcs_module.h"
 
 #define NO_FAULT 0
 #define OTHER_VERSION 1

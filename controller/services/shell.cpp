@@ -1,4 +1,4 @@
-#include "runtime/rrs/shell.h"
+#include "controller/services/shell.h"
 
 namespace gsim::rrs {
 
@@ -10,7 +10,7 @@ namespace gsim::rrs {
     Status Shell::method parameters {                                                        \
         return not_supported(#method);                                                       \
     }
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 // NOLINTEND(misc-unused-parameters)
 #pragma GCC diagnostic pop
 

@@ -8,8 +8,8 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/rcs_calls.h"
-#include "runtime/rrs/rcs_module.h"
+#include "controller/module/rcs_calls.h"
+#include "controller/module/rcs_module.h"
 
 namespace gsim::rrs {
 

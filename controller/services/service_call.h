@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/rrs/shell.h"
+#include "controller/services/shell.h"
 
 namespace gsim::rrs {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/rrs/rcs_module.h"
-#include "runtime/rrs/types.h"
+#include "controller/module/rcs_module.h"
+#include "controller/services/types.h"
 
 namespace gsim::rrs {
 

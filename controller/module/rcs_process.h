@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/rcs_host.h"
+#include "controller/module/rcs_host.h"
 
 namespace gsim::rrs {
 

@@ -22,10 +22,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "runtime/rrs/rcs_host.h"
-#include "runtime/rrs/rcs_link.h"
-#include "runtime/rrs/rcs_shared.h"
-#include "runtime/rrs/rcs_values.h"
+#include "controller/module/rcs_host.h"
+#include "controller/module/rcs_link.h"
+#include "controller/module/rcs_shared.h"
+#include "controller/module/rcs_values.h"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)

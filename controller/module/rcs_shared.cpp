@@ -1,9 +1,9 @@
-#include "runtime/rrs/rcs_shared.h"
+#include "controller/module/rcs_shared.h"
 
 #include <type_traits>
 
-#include "runtime/rrs/rcs_codec.h"
-#include "runtime/rrs/services.h"
+#include "controller/module/rcs_codec.h"
+#include "controller/services/services.h"
 
 namespace gsim::rrs {
 
@@ -30,7 +30,7 @@ RcsSizes rcs_sizes(std::int32_t asked) {
 #define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
     case GSIM_RCS_##opcode:                                                                        \
         return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
         default: return {};
     }
 }
@@ -38,7 +38,7 @@ RcsSizes rcs_sizes(std::int32_t asked) {
 std::string_view rcs_service_name(std::int32_t asked) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     if (asked == GSIM_RCS_##opcode) return services::method.name;
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
     return {};
 }
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "runtime/rrs/rcs_calls.h"
-#include "runtime/rrs/rcs_module.h"
+#include "controller/module/rcs_calls.h"
+#include "controller/module/rcs_module.h"
 
 // What a program and its gsim-rcs-host share, the process in which a controller module runs: a piece of
 // memory with what is asked and answered, and a socket of packets by which each tells the other to look

@@ -1,5 +1,5 @@
 // In place of rcs_process.cpp, where the program is a guest of WebAssembly, which begins no processes.
-#include "runtime/rrs/rcs_process.h"
+#include "controller/module/rcs_process.h"
 
 namespace gsim::rrs {
 

@@ -6,8 +6,8 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/rrs/rcs_module.h"
-#include "runtime/rrs/shell.h"
+#include "controller/module/rcs_module.h"
+#include "controller/services/shell.h"
 
 namespace gsim::rrs {
 

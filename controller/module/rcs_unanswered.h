@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "runtime/rrs/rcs_codec.h"
+#include "controller/module/rcs_codec.h"
 
 namespace gsim::rrs {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/rrs/status.h"
-#include "runtime/rrs/types.h"
+#include "controller/services/status.h"
+#include "controller/services/types.h"
 
 namespace gsim::rrs {
 
@@ -26,7 +26,7 @@ class Shell {
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     virtual Status method parameters;
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 
   protected:
     /// What the default of each service answers; a controller may note the name for GetMessage.

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "runtime/rrs/rcs_host.h"
-#include "runtime/rrs/services.h"
-#include "runtime/rrs/shell.h"
+#include "controller/module/rcs_host.h"
+#include "controller/services/services.h"
+#include "controller/services/shell.h"
 
 namespace gsim::rrs {
 
@@ -31,7 +31,7 @@ class RcsShell : public Shell {
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     Status method parameters override;
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 
   protected:
     /// From now on the module is not called any more; answers RRS_MODULE_FAULT. `what` continues a sentence

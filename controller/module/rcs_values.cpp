@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_values.h"
+#include "controller/module/rcs_values.h"
 
 #include <algorithm>
 

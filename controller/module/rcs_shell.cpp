@@ -1,6 +1,6 @@
 // The services that a controller module is asked for, and the checks of what it answers.
 
-#include "runtime/rrs/rcs_shell.h"
+#include "controller/module/rcs_shell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "runtime/rrs/rcs_codec.h"
-#include "runtime/rrs/rcs_unanswered.h"
-#include "runtime/rrs/service_call.h"
+#include "controller/module/rcs_codec.h"
+#include "controller/module/rcs_unanswered.h"
+#include "controller/services/service_call.h"
 
 namespace gsim::rrs {
 
@@ -190,6 +190,6 @@ Status RcsShell::query(const Service& service, Method /*method*/, const std::tup
         return query<gsim_rcs_##input, gsim_rcs_##output>(services::method, &Shell::method,        \
                                                           std::tie arguments);                     \
     }
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 
 }  // namespace gsim::rrs

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "runtime/rrs/override_rules.h"
+#include "controller/services/override_rules.h"
 
 namespace gsim::rrs {
 

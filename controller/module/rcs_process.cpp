@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_process.h"
+#include "controller/module/rcs_process.h"
 
 #include <algorithm>
 #include <cstring>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/rrs/rcs_link.h"
-#include "runtime/rrs/rcs_unanswered.h"
+#include "controller/module/rcs_link.h"
+#include "controller/module/rcs_unanswered.h"
 
 namespace gsim::rrs {
 

@@ -1,4 +1,4 @@
-#include "runtime/rrs/status.h"
+#include "controller/services/status.h"
 
 namespace gsim::rrs {
 

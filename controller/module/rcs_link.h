@@ -10,8 +10,8 @@
 #include <tl/expected.hpp>
 
 #include "base/os/descriptor.h"
-#include "runtime/rrs/rcs_process.h"
-#include "runtime/rrs/rcs_shared.h"
+#include "controller/module/rcs_process.h"
+#include "controller/module/rcs_shared.h"
 
 namespace gsim::rrs {
 

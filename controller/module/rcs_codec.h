@@ -11,9 +11,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/rrs/rcs_host.h"
-#include "runtime/rrs/rcs_module.h"
-#include "runtime/rrs/rcs_values.h"
+#include "controller/module/rcs_host.h"
+#include "controller/module/rcs_module.h"
+#include "controller/module/rcs_values.h"
 
 // What services take and give, as the structures of rcs_module.h have it and as methods of Shell do. A
 // structure is told here by its fields, in the order of the values that they stand for.

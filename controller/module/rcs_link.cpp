@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_link.h"
+#include "controller/module/rcs_link.h"
 
 #include <algorithm>
 #include <array>

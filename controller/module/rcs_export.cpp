@@ -1,10 +1,10 @@
-#include "runtime/rrs/rcs_export.h"
+#include "controller/module/rcs_export.h"
 
 #include <exception>
 #include <utility>
 
-#include "runtime/rrs/rcs_codec.h"
-#include "runtime/rrs/service_call.h"
+#include "controller/module/rcs_codec.h"
+#include "controller/services/service_call.h"
 
 struct gsim_rcs_module {
     std::unique_ptr<gsim::rrs::Shell> shell;
@@ -39,7 +39,7 @@ Status answer(Shell& shell, std::int32_t asked, const void* in, void* out) {
 #define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
     case GSIM_RCS_##opcode:                                                                        \
         return serve<gsim_rcs_##input, gsim_rcs_##output>(shell, &Shell::method, in, out);
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
         default: return Status::RRS_SERVICE_NOT_SUPPORTED;
     }
 }

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "runtime/rrs/rcs_module.h"
-#include "runtime/rrs/status.h"
+#include "controller/module/rcs_module.h"
+#include "controller/services/status.h"
 
 namespace gsim::rrs {
 
@@ -42,7 +42,7 @@ using enum Status;
     { __VA_ARGS__ }
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     inline constexpr Service method{GSIM_RCS_##opcode, #method, GSIM_RCS_ANSWERS answers};
-#include "runtime/rrs/rcs_services.def"
+#include "controller/module/rcs_services.def"
 #undef GSIM_RCS_ANSWERS
 
 }  // namespace services

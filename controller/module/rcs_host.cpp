@@ -1,4 +1,4 @@
-#include "runtime/rrs/rcs_host.h"
+#include "controller/module/rcs_host.h"
 
 #include <cstring>
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "runtime/rrs/rcs_trial.h"
+#include "controller/module/rcs_trial.h"
 
 namespace gsim::rrs {
 
