@@ -1,7 +1,7 @@
 # Compiles many sources at once: reading the same headers again for each source takes most of the time of a build.
 #
 # This is CMake's own CMAKE_UNITY_BUILD but for one thing: the batches include their sources by paths below the project's folder
-# ("runtime/motion/segment.cpp"), so they have the same text in every clone, and a compiler cache knows them again. CMake writes whole paths
+# ("motion/segment/segment.cpp"), so they have the same text in every clone, and a compiler cache knows them again. CMake writes whole paths
 # until its version 4.0 (UNITY_BUILD_RELOCATABLE).
 set(CMAKE_UNITY_BUILD OFF)  # build folders of before have it on
 option(GSIM_BATCHES "Compile sources in batches" OFF)

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/kinematics/chain.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/chain.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/machine/frame_pose.h"
 
 namespace gsim::calibrate {

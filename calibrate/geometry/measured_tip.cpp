@@ -8,7 +8,7 @@
 
 #include "base/units.h"
 #include "calibrate/text/list.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 
 namespace gsim::calibrate {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 namespace gsim::calibrate {
 

@@ -10,7 +10,7 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include "runtime/dynamics/servo_loop.h"
+#include "motion/dynamics/servo_loop.h"
 
 namespace gsim::calibrate {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/apart_move.h"
-#include "runtime/motion/joint_move.h"
+#include "motion/exact_stop/apart_move.h"
+#include "motion/exact_stop/joint_move.h"
 
 namespace gsim::transit {
 

@@ -8,8 +8,8 @@
 #include <tl/expected.hpp>
 
 #include "cam/transit/way_search.h"
+#include "motion/planner/planner_setup.h"
 #include "runtime/cell/clear_way.h"
-#include "runtime/motion/planner_setup.h"
 
 namespace gsim::transit {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/dynamics/segment_efforts.h"
+#include "motion/dynamics/segment_efforts.h"
 #include "runtime/simulation/effort_watch.h"
 
 namespace gsim::engine {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/columns.h"
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/run_output.h"
 

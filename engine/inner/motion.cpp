@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/inner/values.h"
-#include "runtime/dynamics/law_ends.h"
+#include "motion/dynamics/law_ends.h"
+#include "motion/segment/segment.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::engine {
 

@@ -8,7 +8,7 @@
 #include "base/os/files.h"
 #include "controller/services/controller_rules.h"
 #include "engine/request.h"
-#include "runtime/motion/override_schedule.h"
+#include "motion/planner/override_schedule.h"
 
 namespace gsim::engine {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/path/changes.h"
 #include "runtime/path/machine_space.h"
 

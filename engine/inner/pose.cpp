@@ -10,8 +10,8 @@
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/values.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/cell/touching.h"
-#include "runtime/kinematics/pose.h"
 
 namespace gsim::engine {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/text/json.h"
-#include "runtime/kinematics/chain.h"
-#include "runtime/motion/axis_space.h"
+#include "motion/kinematics/chain.h"
+#include "motion/path/axis_space.h"
 #include "runtime/simulation/part_tip.h"
 
 namespace gsim::engine {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/motion/planner_setup.h"
+#include "motion/planner/planner_setup.h"
 #include "runtime/simulation/part_tip.h"
 #include "runtime/simulation/setup_of_machine.h"
 #include "runtime/simulation/tip_curve.h"

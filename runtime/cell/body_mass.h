@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "geometry/mesh/mesh_file.h"
-#include "runtime/dynamics/rigid_body.h"
+#include "motion/dynamics/rigid_body.h"
 #include "runtime/machine/link_shape.h"
 
 namespace gsim::cell {

@@ -7,9 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include "motion/segment/segment.h"
 #include "runtime/cell/cell.h"
 #include "runtime/cell/meeting_pairs.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::cell {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 namespace gsim::cell {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "runtime/motion/segment.h"
+#include "motion/segment/segment.h"
 
 namespace gsim::cell {
 

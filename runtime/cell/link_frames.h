@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/kinematics/kinematics.h"
+#include "motion/kinematics/kinematics.h"
 
 namespace gsim::cell {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "motion/kinematics/chain.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/cell/placed_kinematics.h"
-#include "runtime/kinematics/chain.h"
 
 namespace gsim::cell {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 namespace gsim::cell {
 

@@ -1,6 +1,6 @@
 #include "runtime/cell/placed_kinematics.h"
 
-#include "runtime/kinematics/chain_kinematics.h"
+#include "motion/kinematics/chain_kinematics.h"
 
 namespace gsim::cell {
 

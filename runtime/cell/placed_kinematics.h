@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "motion/kinematics/kinematics.h"
 #include "runtime/cell/frame_tree.h"
-#include "runtime/kinematics/kinematics.h"
 
 namespace gsim::cell {
 

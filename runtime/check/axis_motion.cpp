@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 namespace gsim::check {
 

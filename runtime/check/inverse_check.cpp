@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "runtime/kinematics/chain.h"
-#include "runtime/kinematics/solution.h"
+#include "motion/kinematics/chain.h"
+#include "motion/kinematics/solution.h"
 
 namespace gsim::check {
 

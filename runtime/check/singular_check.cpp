@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/dense/singular.h"
-#include "runtime/kinematics/jacobian.h"
+#include "motion/kinematics/jacobian.h"
 
 namespace gsim::check {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "runtime/kinematics/dense.h"
+#include "motion/kinematics/dense.h"
 
 namespace gsim::envelope {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "runtime/kinematics/screws.h"
+#include "motion/kinematics/screws.h"
 
 namespace gsim::envelope {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "runtime/dynamics/rigid_body.h"
+#include "motion/dynamics/rigid_body.h"
 #include "runtime/machine/number_list.h"
 
 namespace gsim::machine {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "base/units.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 
 namespace gsim::machine {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/kinematics/jacobian.h"
+#include "motion/kinematics/jacobian.h"
 
 namespace gsim::machine {
 

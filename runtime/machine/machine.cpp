@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/units.h"
-#include "runtime/kinematics/chain_kinematics.h"
-#include "runtime/kinematics/gantry.h"
-#include "runtime/kinematics/numeric.h"
+#include "motion/kinematics/chain_kinematics.h"
+#include "motion/kinematics/gantry.h"
+#include "motion/kinematics/numeric.h"
 #include "runtime/machine/frame_pose.h"
 
 namespace gsim::machine {

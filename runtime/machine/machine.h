@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "controller/services/controller_rules.h"
-#include "runtime/kinematics/kinematics.h"
+#include "motion/kinematics/kinematics.h"
 #include "runtime/machine/axis_direction.h"
 #include "runtime/machine/axis_group.h"
 #include "runtime/machine/calibration.h"

@@ -8,7 +8,7 @@
 
 #include "base/text/number.h"
 #include "base/units.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/path/arc_shape.h"
 
 namespace gsim::path {

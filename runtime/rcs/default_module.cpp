@@ -1,7 +1,7 @@
 // Our own planner as a controller module.
 
 #include "controller/module/rcs_export.h"
-#include "runtime/motion/default_planner.h"
+#include "motion/services/default_planner.h"
 #include "runtime/rcs/rcs_machine.h"
 
 namespace {

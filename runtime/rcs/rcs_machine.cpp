@@ -9,9 +9,9 @@
 
 #include "base/toml/toml_text.h"
 #include "controller/module/rcs_values.h"
-#include "runtime/kinematics/chain_kinematics.h"
-#include "runtime/kinematics/gantry.h"
-#include "runtime/kinematics/numeric.h"
+#include "motion/kinematics/chain_kinematics.h"
+#include "motion/kinematics/gantry.h"
+#include "motion/kinematics/numeric.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
 

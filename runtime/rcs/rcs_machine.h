@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "controller/module/rcs_module.h"
-#include "runtime/motion/planner_setup.h"
+#include "motion/planner/planner_setup.h"
 
 namespace gsim::rcs {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 
 namespace gsim::record {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/group_table.h"

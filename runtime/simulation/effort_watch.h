@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "runtime/dynamics/segment_efforts.h"
+#include "motion/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/effort_report.h"
 #include "runtime/simulation/exact_sum.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/dynamics/servo_motion.h"
+#include "motion/dynamics/servo_motion.h"
 #include "runtime/simulation/following_setup.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/part_tip.h"

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "motion/planner/planner_setup.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/planner_setup.h"
 
 namespace gsim::simulation {
 

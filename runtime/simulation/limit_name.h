@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "motion/segment/segment.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::simulation {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "motion/dynamics/effort_limits.h"
 #include "runtime/cell/body_mass.h"
-#include "runtime/dynamics/effort_limits.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/torque_limit.h"
 

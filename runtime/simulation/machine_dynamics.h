@@ -6,9 +6,9 @@
 #include <tl/expected.hpp>
 
 #include "geometry/mesh/mesh_file.h"
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
+#include "motion/planner/move_limits.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/move_limits.h"
 
 namespace gsim::simulation {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "controller/module/rcs_shell.h"
-#include "runtime/motion/planner_setup.h"
-#include "runtime/motion/segment.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
 #include "runtime/simulation/motion_source.h"
 
 namespace gsim::simulation {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/motion/range_check.h"
+#include "motion/planner/range_check.h"
 #include "runtime/simulation/module_motion.h"
 
 namespace gsim::simulation {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "runtime/motion/move.h"
+#include "motion/planner/move.h"
 
 namespace gsim::simulation {
 

@@ -5,8 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "motion/planner/planner.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/planner.h"
 #include "runtime/simulation/motion_log.h"
 
 namespace gsim::simulation {

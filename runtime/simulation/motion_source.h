@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "controller/services/shell.h"
-#include "runtime/motion/cell_frames.h"
-#include "runtime/motion/planner.h"
-#include "runtime/motion/selections.h"
+#include "motion/path/cell_frames.h"
+#include "motion/planner/planner.h"
+#include "motion/services/selections.h"
 #include "runtime/simulation/motion_observer.h"
 
 namespace gsim::simulation {

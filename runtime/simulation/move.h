@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/plane.h"
-#include "runtime/motion/override_schedule.h"
+#include "motion/planner/override_schedule.h"
 
 namespace gsim::simulation {
 

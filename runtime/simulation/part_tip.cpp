@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/motion/axis_space.h"
+#include "motion/path/axis_space.h"
 
 namespace gsim::simulation {
 

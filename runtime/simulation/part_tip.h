@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "controller/services/types.h"
-#include "runtime/motion/planner_setup.h"
+#include "motion/planner/planner_setup.h"
 
 namespace gsim::simulation {
 

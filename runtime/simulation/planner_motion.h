@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "runtime/motion/planner_shell.h"
+#include "motion/services/planner_shell.h"
 #include "runtime/simulation/motion_source.h"
 
 namespace gsim::simulation {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/motion/apart_move.h"
+#include "motion/exact_stop/apart_move.h"
 
 namespace gsim::simulation {
 

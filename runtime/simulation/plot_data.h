@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/dynamics/segment_efforts.h"
+#include "motion/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/path_thinner.h"

@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "motion/segment/segment.h"
 #include "runtime/cell/touch_search.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::simulation {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/motion/axis_space.h"
+#include "motion/path/axis_space.h"
 
 namespace gsim::simulation {
 

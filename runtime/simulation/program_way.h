@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "runtime/motion/way_sink.h"
+#include "motion/path/way_sink.h"
 #include "runtime/simulation/part_tip.h"
 #include "runtime/simulation/set_point_way.h"
 

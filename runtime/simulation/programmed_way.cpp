@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/motion/axis_space.h"
+#include "motion/path/axis_space.h"
 
 namespace gsim::simulation {
 

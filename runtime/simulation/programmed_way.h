@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/motion/motion_model.h"
+#include "motion/planner/motion_model.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/part_tip.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/text/diagnostic.h"
 #include "controller/services/types.h"
-#include "runtime/motion/override_schedule.h"
+#include "motion/planner/override_schedule.h"
 #include "runtime/simulation/effort_report.h"
 #include "runtime/simulation/following_report.h"
 #include "runtime/simulation/move.h"

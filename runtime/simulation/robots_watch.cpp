@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/kinematics/chain_kinematics.h"
+#include "motion/kinematics/chain_kinematics.h"
 
 namespace gsim::simulation {
 

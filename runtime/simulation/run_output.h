@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "runtime/motion/segment.h"
+#include "motion/segment/segment.h"
 #include "runtime/simulation/move.h"
 
 namespace gsim::simulation {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "motion/planner/planner_setup.h"
 #include "runtime/machine/machine.h"
-#include "runtime/motion/planner_setup.h"
 
 namespace gsim::simulation {
 

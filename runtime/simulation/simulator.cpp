@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/motion/axis_space.h"
+#include "motion/path/axis_space.h"
 #include "runtime/simulation/axes_time_watch.h"
 #include "runtime/simulation/following_watch.h"
 #include "runtime/simulation/module_motion.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {

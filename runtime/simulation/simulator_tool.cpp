@@ -1,6 +1,6 @@
 // Moves of the tool in the work frame: tool-centre-point control and moves to poses.
 
-#include "runtime/motion/tool_path.h"
+#include "motion/path/tool_path.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {

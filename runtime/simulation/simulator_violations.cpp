@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/range_check.h"
+#include "motion/planner/range_check.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {

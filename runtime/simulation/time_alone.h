@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/motion/segment.h"
+#include "motion/segment/segment.h"
 
 namespace gsim::simulation {
 

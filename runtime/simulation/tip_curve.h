@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "runtime/motion/segment.h"
+#include "motion/segment/segment.h"
 #include "runtime/simulation/part_tip.h"
 
 namespace gsim::simulation {

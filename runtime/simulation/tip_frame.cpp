@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "runtime/motion/axis_space.h"
-#include "runtime/motion/tool_path.h"
+#include "motion/path/axis_space.h"
+#include "motion/path/tool_path.h"
 
 namespace gsim::simulation {
 

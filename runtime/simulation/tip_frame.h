@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/motion/planner_setup.h"
+#include "motion/planner/planner_setup.h"
 
 namespace gsim::simulation {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "runtime/dynamics/segment_efforts.h"
+#include "motion/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/sampler.h"

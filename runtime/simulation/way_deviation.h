@@ -7,8 +7,8 @@
 #include <memory>
 #include <span>
 
-#include "runtime/motion/planner_setup.h"
-#include "runtime/motion/way_sink.h"
+#include "motion/path/way_sink.h"
+#include "motion/planner/planner_setup.h"
 #include "runtime/simulation/part_tip.h"
 #include "runtime/simulation/programmed_way.h"
 #include "runtime/simulation/report.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "runtime/motion/way_sink.h"
+#include "motion/path/way_sink.h"
 
 namespace gsim::simulation {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/motion/joint_way.h"
+#include "motion/path/joint_way.h"
 
 namespace gsim::simulation {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/motion/segment.h"
+#include "motion/segment/segment.h"
 
 namespace gsim::simulation {
 

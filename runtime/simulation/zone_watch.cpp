@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/stop.h"
+#include "motion/planner/stop.h"
 
 namespace gsim::simulation {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/motion/time_law.h"
+#include "motion/profile/time_law.h"
 
 namespace gsim::accuracy {
 

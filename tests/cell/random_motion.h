@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "runtime/kinematics/chain.h"
-#include "runtime/kinematics/chain_kinematics.h"
+#include "motion/kinematics/chain.h"
+#include "motion/kinematics/chain_kinematics.h"
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 

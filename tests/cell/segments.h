@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/segment/segment.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::cell {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
 #include "tests/dynamics/models.h"
 
 namespace gsim::dynamics {

@@ -1,5 +1,5 @@
 // Efforts against closed forms.
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
 
 #include <gtest/gtest.h>
 

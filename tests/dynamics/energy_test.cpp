@@ -1,7 +1,7 @@
 // The work of the motors against energies that are worked out from the frames of the links alone.
 #include <gtest/gtest.h>
 
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
 #include "tests/dynamics/models.h"
 
 namespace gsim::dynamics {

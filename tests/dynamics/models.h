@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "runtime/dynamics/dynamics.h"
+#include "motion/dynamics/dynamics.h"
 #include "tests/kinematics/chains.h"
 
 namespace gsim::dynamics {

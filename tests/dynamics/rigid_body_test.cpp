@@ -1,4 +1,4 @@
-#include "runtime/dynamics/rigid_body.h"
+#include "motion/dynamics/rigid_body.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Sums over segments against closed forms and against fine integration.
-#include "runtime/dynamics/segment_efforts.h"
+#include "motion/dynamics/segment_efforts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The closed form of a servo loop against its differential equation and against closed forms of textbooks.
-#include "runtime/dynamics/servo_loop.h"
+#include "motion/dynamics/servo_loop.h"
 
 #include <array>
 #include <cmath>

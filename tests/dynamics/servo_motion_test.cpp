@@ -1,5 +1,5 @@
 // Servo loops along segments: rests, jumps, motions beside one another, delays.
-#include "runtime/dynamics/servo_motion.h"
+#include "motion/dynamics/servo_motion.h"
 
 #include <cmath>
 #include <limits>

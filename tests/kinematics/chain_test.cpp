@@ -1,13 +1,13 @@
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/dh_chain.h"
-#include "runtime/kinematics/jacobian.h"
-#include "runtime/kinematics/screws.h"
+#include "motion/kinematics/dh_chain.h"
+#include "motion/kinematics/jacobian.h"
+#include "motion/kinematics/screws.h"
 #include "tests/kinematics/random_pose.h"
 
 namespace gsim::kinematics::chain_test {

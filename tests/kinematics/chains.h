@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "runtime/kinematics/chain_kinematics.h"
+#include "motion/kinematics/chain_kinematics.h"
 
 namespace gsim::kinematics {
 

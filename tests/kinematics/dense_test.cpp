@@ -1,4 +1,4 @@
-#include "runtime/kinematics/dense.h"
+#include "motion/kinematics/dense.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "runtime/kinematics/dh_chain.h"
+#include "motion/kinematics/dh_chain.h"
 
 #include <cmath>
 #include <random>

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/gantry.h"
+#include "motion/kinematics/gantry.h"
 #include "tests/kinematics/chains.h"
 #include "tests/kinematics/random_pose.h"
 

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/gantry.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/gantry.h"
+#include "motion/kinematics/pose.h"
 #include "tests/kinematics/chains.h"
 
 namespace gsim::kinematics::gantry_orientation_test {

@@ -1,4 +1,4 @@
-#include "runtime/kinematics/gantry.h"
+#include "motion/kinematics/gantry.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "tests/kinematics/chains.h"
 
 namespace gsim::kinematics::gantry_test {

@@ -3,7 +3,7 @@
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 
 namespace gsim::kinematics {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/dh_chain.h"
+#include "motion/kinematics/dh_chain.h"
 #include "tests/kinematics/kdl_chain.h"
 #include "tests/kinematics/random_pose.h"
 

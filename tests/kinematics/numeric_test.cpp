@@ -1,4 +1,4 @@
-#include "runtime/kinematics/numeric.h"
+#include "motion/kinematics/numeric.h"
 
 #include <cmath>
 

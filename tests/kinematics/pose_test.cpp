@@ -1,4 +1,4 @@
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 
 #include <limits>
 #include <numbers>

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/chain.h"
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/chain.h"
+#include "motion/kinematics/pose.h"
 
 namespace gsim::kinematics {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 #include "runtime/machine/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/kinematics/kdl_chain.h"

@@ -1,6 +1,6 @@
 // Rapids that are not interpolated: each joint by its own limits, to a time of its own.
 
-#include "runtime/motion/apart_move.h"
+#include "motion/exact_stop/apart_move.h"
 
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/planner_under_test.h"

@@ -1,5 +1,5 @@
 // The jerks and accelerations that joints get round arcs and helices, however these lie in space.
-#include "runtime/motion/arc_limits.h"
+#include "motion/path/arc_limits.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/motion/arc.h"
+#include "motion/path/arc.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

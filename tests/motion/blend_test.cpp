@@ -1,5 +1,5 @@
 // Corners that are rounded within a tolerance: how far, how fast, and that no limit is passed on the way.
-#include "runtime/motion/blend.h"
+#include "motion/lookahead/blend.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion::cartesian_target_test {

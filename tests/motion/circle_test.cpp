@@ -1,4 +1,4 @@
-#include "runtime/motion/circle.h"
+#include "motion/path/circle.h"
 
 #include <Eigen/Geometry>
 #include <limits>

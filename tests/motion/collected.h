@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "runtime/motion/motion_model.h"
+#include "motion/planner/motion_model.h"
 
 namespace gsim::motion {
 

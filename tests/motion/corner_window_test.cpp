@@ -1,6 +1,6 @@
 // What many corners close together do to the joints: a polygon is driven as the curve that it stands for.
 
-#include "runtime/motion/corner_window.h"
+#include "motion/lookahead/corner_window.h"
 
 #include <numbers>
 #include <random>

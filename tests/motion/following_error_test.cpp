@@ -1,5 +1,5 @@
 // How far a position loop lags behind, against a numerical integration of its equation.
-#include "runtime/motion/following_error.h"
+#include "motion/profile/following_error.h"
 
 #include "tests/motion/look_ahead_path.h"
 #include "tests/motion/segment_checks.h"

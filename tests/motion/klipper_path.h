@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/klipper/klipper_model.h"
+#include "motion/klipper/klipper_model.h"
 #include "tests/motion/collected.h"
 #include "tests/motion/machines.h"
 

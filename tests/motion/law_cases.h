@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/ramp.h"
-#include "runtime/motion/s_curve.h"
+#include "motion/profile/ramp.h"
+#include "motion/profile/s_curve.h"
 
 namespace gsim::motion {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/linuxcnc/profile.h"
+#include "motion/linuxcnc/profile.h"
 #include "tests/motion/segment_checks.h"
 
 namespace gsim::motion::linuxcnc::linuxcnc_profile_test {

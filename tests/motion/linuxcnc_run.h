@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/circle.h"
-#include "runtime/motion/linuxcnc/linuxcnc_model.h"
+#include "motion/linuxcnc/linuxcnc_model.h"
+#include "motion/path/circle.h"
 #include "tests/motion/machines.h"
 
 namespace gsim::motion {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/linuxcnc/way.h"
+#include "motion/linuxcnc/way.h"
 #include "tests/motion/linuxcnc_run.h"
 
 namespace gsim::motion::linuxcnc_way_test {

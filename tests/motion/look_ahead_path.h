@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/look_ahead.h"
+#include "motion/lookahead/look_ahead.h"
 #include "tests/motion/collected.h"
 #include "tests/motion/machines.h"
 

@@ -1,5 +1,5 @@
 // A window of blocks, speeds at corners by the controller's rule, and limits that always hold.
-#include "runtime/motion/look_ahead.h"
+#include "motion/lookahead/look_ahead.h"
 
 #include <gtest/gtest.h>
 

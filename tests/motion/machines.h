@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "runtime/kinematics/gantry.h"
-#include "runtime/motion/default_planner.h"
+#include "motion/kinematics/gantry.h"
+#include "motion/services/default_planner.h"
 #include "tests/kinematics/chains.h"
 
 namespace gsim::motion {

@@ -1,6 +1,6 @@
 // The great circle in the joints of a head, against its direction in space.
 
-#include "runtime/motion/orientation_arc.h"
+#include "motion/path/orientation_arc.h"
 
 #include <gtest/gtest.h>
 

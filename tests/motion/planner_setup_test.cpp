@@ -1,4 +1,4 @@
-#include "runtime/motion/planner_setup.h"
+#include "motion/planner/planner_setup.h"
 
 #include <limits>
 #include <stdexcept>

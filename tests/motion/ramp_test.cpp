@@ -1,4 +1,4 @@
-#include "runtime/motion/ramp.h"
+#include "motion/profile/ramp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/axis_space.h"
+#include "motion/path/axis_space.h"
 #include "tests/motion/machines.h"
 #include "tests/motion/segment_checks.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/motion/s_curve.h"
+#include "motion/profile/s_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/time_law.h"
+#include "motion/profile/time_law.h"
 #include "tests/motion/law_cases.h"
 #include "tests/motion/law_reference.h"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/planner_setup.h"
-#include "runtime/motion/segment.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
 
 namespace gsim::motion {
 

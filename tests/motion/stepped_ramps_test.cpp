@@ -1,5 +1,5 @@
 // Ramps in steps of time, against times of grblHAL and what holds of any ramps.
-#include "runtime/motion/stepped_ramps.h"
+#include "motion/profile/stepped_ramps.h"
 
 #include <cmath>
 #include <random>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/time_bound.h"
+#include "motion/planner/time_bound.h"
 #include "tests/motion/time_bound_paths.h"
 
 namespace gsim::motion::time_bound_curve_test {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "runtime/motion/time_bound.h"
+#include "motion/planner/time_bound.h"
 
 /// Random paths for the tests of TimeBound, and what their times are known by.
 namespace gsim::motion::bound_paths {

@@ -1,4 +1,4 @@
-#include "runtime/motion/time_bound.h"
+#include "motion/planner/time_bound.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/motion/time_law.h"
+#include "motion/profile/time_law.h"
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/motion/default_planner.h"
+#include "motion/services/default_planner.h"
 #include "tests/motion/machines.h"
 
 namespace gsim::motion::whole_moves_test {

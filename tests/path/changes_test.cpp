@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include "runtime/kinematics/pose.h"
+#include "motion/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/json_reader.h"

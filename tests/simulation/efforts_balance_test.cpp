@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/simulation/machine_dynamics.h"
 #include "runtime/simulation/simulator.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/kinematics/chain.h"
+#include "motion/kinematics/chain.h"
 #include "tests/simulation/posed.h"
 
 namespace gsim::simulation::machine_frames_test {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/motion/default_planner.h"
+#include "motion/services/default_planner.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/test_segments.h"
 

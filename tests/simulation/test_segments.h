@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/segment/segment.h"
 #include "runtime/machine/machine.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/motion/segment.h"
 
 namespace gsim::simulation {
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "motion/dynamics/dynamics.h"
+#include "motion/dynamics/motor.h"
+#include "motion/planner/move_limits.h"
+
+namespace gsim::dynamics {
+
+/// Accelerations that the peaks of the motors allow. At a place q of a way, at the speed v and with the
+/// acceleration a along it, a motor brings up
+///
+///     M(q) (q' a + q'' v^2) + (what goes with v and v^2, weight, friction, counterweight, hoses)
+///
+/// by Dynamics::efforts(): affine in a, and a polynomial of v. So the greatest a for all speeds up to the top
+/// one is found in closed form at each point of the way. Between points the terms are off the line through
+/// both by no more than what they are off the line at their neighbours (their second difference), which is
+/// taken off the motor: nothing where they do not change along the way.
+///
+/// On a straight way q'' is 0, and speeding up and slowing down have limits of their own. Elsewhere
+/// accelerations have any direction: each joint gets a share of its own, and the shares of all may come
+/// together with any sign. A joint without a motor keeps its acceleration; those of the others may be above
+/// theirs.
+///
+/// Where the motors bring up less at higher speeds, the top speed is the one at which a move from rest to
+/// rest takes least; of a move that may be passed at any speed none at which less than half of its
+/// acceleration is left. Speeds are tried in steps of a half octave.
+class EffortLimits final : public motion::MoveLimits {
+  public:
+    /// One motor for each joint.
+    EffortLimits(std::shared_ptr<const Dynamics> dynamics, std::vector<Motor> motors);
+
+    motion::Planned limit(motion::WayToLimit& way, std::vector<motion::JointSetup>& joints) const override;
+
+  private:
+    struct Terms;
+    struct Field;
+    struct Allowed;
+
+    Terms terms_at(const motion::WayPoint& point, const Field& field) const;
+    Field field_of(const motion::WayToLimit& way) const;
+    void keep_top_speeds(motion::WayToLimit& way, const rrs::JointPos& shares) const;
+    Allowed allowed(const Field& field, const std::vector<motion::JointSetup>& joints, double part) const;
+    Allowed along_line(const Field& field, const std::vector<motion::JointSetup>& joints, double part) const;
+    Allowed in_any_sense(const Field& field, const std::vector<motion::JointSetup>& joints,
+                         double part) const;
+    rrs::JointPos left_in_any_sense(const Field& field, double part) const;
+    int weakest(const Field& field) const;
+    Allowed best(const Field& field, const std::vector<motion::JointSetup>& joints,
+                 motion::WayToLimit& way) const;
+
+    std::shared_ptr<const Dynamics> dynamics_;
+    std::vector<Motor> motors_;
+};
+
+}  // namespace gsim::dynamics

@@ -1,0 +1,168 @@
+#include "motion/dynamics/segment_efforts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/dynamics/law_ends.h"
+#include "motion/path/joint_way.h"
+
+namespace gsim::dynamics {
+
+using motion::Segment;
+
+namespace {
+
+constexpr int kMostHalvings = 24;
+constexpr int kMostParts = 4096;  // of what is smooth: enough for each kink, and a bound where all is noise
+// Both rules differ by far more than the better one is off.
+constexpr double kOfOwn = 1e-7;    // of a joint's own sum,
+constexpr double kOfAll = 1e-10;   // and of that of all joints;
+constexpr double kOfShare = 1e-2;  // of a joint's work, for which of it goes in and which back
+constexpr double kNoise = 1e-6;    // and what nobody misses, N2 or W: joints that stand go by rounding
+constexpr double kInside = 1e-9;   // of a part: how far its ends are taken inside
+constexpr double kShortest_s = 1e-12;
+
+bool turns_back(const Segment& segment) {
+    return segment.beside != nullptr || segment.kind == motion::SegmentKind::circular;
+}
+
+}  // namespace
+
+EffortSums::EffortSums(int joints)
+    : squares(rrs::JointPos::Zero(joints)),
+      in_j(rrs::JointPos::Zero(joints)),
+      back_j(rrs::JointPos::Zero(joints)),
+      friction_j(rrs::JointPos::Zero(joints)) {}
+
+EffortSums& EffortSums::operator+=(const EffortSums& other) {
+    squares += other.squares;
+    in_j += other.in_j;
+    back_j += other.back_j;
+    friction_j += other.friction_j;
+    return *this;
+}
+
+EffortSample SegmentEfforts::at(const Segment& segment, double t_s) const {
+    return at(segment, t_s, rrs::JointPos::Zero(dynamics_.joint_count()));
+}
+
+// What stands for the instant, as at the end of a ramp, holds against the way that the joint goes around it.
+EffortSample SegmentEfforts::at(const Segment& segment, double t_s, const rrs::JointPos& sense) const {
+    EffortSample sample{.t_s = t_s, .motion = {}, .efforts = {}, .powers_w = {}};
+    motion::JointState state = segment.at(t_s);
+    sample.motion = {.position = state.position,
+                     .velocity = state.velocity,
+                     .acceleration = state.acceleration,
+                     .sense = senses(state.velocity)};
+    for (int joint = 0; joint < sense.size(); ++joint) {
+        if (sample.motion.sense[joint] == 0) sample.motion.sense[joint] = sense[joint];
+    }
+    sample.efforts = dynamics_.efforts(sample.motion);
+    sample.powers_w = dynamics_.powers_w(sample.efforts, sample.motion.velocity);
+    return sample;
+}
+
+void SegmentEfforts::split(const Segment& segment) {
+    ends_s_.clear();
+    add_law_ends(segment, ends_s_);
+    if (turns_back(segment)) {
+        for (int joint = 0; joint < dynamics_.joint_count(); ++joint)
+            motion::add_turns(segment, joint, ends_s_);
+    }
+    ends_s_.push_back(segment.duration_s);
+    std::sort(ends_s_.begin(), ends_s_.end());
+}
+
+SegmentEfforts::Rates SegmentEfforts::rates(const Segment& segment, double t_s, const Part& part,
+                                            const Look& look) const {
+    const double inside_s = kInside * (part.to_s - part.from_s);
+    const EffortSample sample =
+        at(segment, std::clamp(t_s, part.from_s + inside_s, part.to_s - inside_s), part.sense);
+    look(sample);
+    const Eigen::Index joints = dynamics_.joint_count();
+    Rates rates(4 * joints);
+    rates.segment(0, joints) = sample.efforts.array().square();
+    rates.segment(joints, joints) = sample.powers_w.array().max(0.0);
+    rates.segment(2 * joints, joints) = (-sample.powers_w).array().max(0.0);
+    const rrs::JointPos friction = dynamics_.friction(sample.motion.velocity, sample.motion.sense);
+    rates.segment(3 * joints, joints) = dynamics_.powers_w(friction, sample.motion.velocity).array();
+    return rates;
+}
+
+void SegmentEfforts::add(const Segment& segment, const Part& part, int halvings, const Look& look,
+                         int& parts_left, Rates& sum) const {
+    const double half_s = (part.to_s - part.from_s) / 2;
+    const double middle_s = part.from_s + half_s;
+    const auto pair = [&](double at) -> Rates {
+        return rates(segment, middle_s - at * half_s, part, look) +
+               rates(segment, middle_s + at * half_s, part, look);
+    };
+    const Rates ends = pair(1);
+    const Rates outer = pair(std::sqrt(2.0 / 3));
+    const Rates inner = pair(1 / std::sqrt(5.0));
+    const Rates middle = rates(segment, middle_s, part, look);
+    const Rates coarse = half_s / 6 * (ends + 5 * inner);
+    const Rates fine = half_s / 1470 * (77 * ends + 432 * outer + 625 * inner + 672 * middle);
+    if (halvings >= kMostHalvings || --parts_left <= 0 || agree(coarse, fine, 2 * half_s)) {
+        sum += fine;
+        return;
+    }
+    add(segment, {part.from_s, middle_s, part.sense}, halvings + 1, look, parts_left, sum);
+    add(segment, {middle_s, part.to_s, part.sense}, halvings + 1, look, parts_left, sum);
+}
+
+// Where a power changes its sign, work in and work back have a corner, and their difference has none: it is
+// held as closely as the rest, the share of each only as well as anyone asks.
+bool SegmentEfforts::agree(const Rates& coarse, const Rates& fine, double time_s) const {
+    const Eigen::Index joints = dynamics_.joint_count();
+    const auto close = [&](const auto& difference, const auto& own, double of_own) {
+        return (difference.abs() <= of_own * own + (kOfAll * own.sum() + kNoise * time_s)).all();
+    };
+    const Rates differ = fine - coarse;
+    const auto part = [&](const Rates& of, int kind) { return of.segment(kind * joints, joints); };
+    const auto work = (part(fine, 1) + part(fine, 2)).eval();
+    return close(part(differ, 0), part(fine, 0), kOfOwn) && close(part(differ, 3), part(fine, 3), kOfOwn) &&
+           close(part(differ, 1) - part(differ, 2), work, kOfOwn) && close(part(differ, 1), work, kOfShare);
+}
+
+void SegmentEfforts::add_rest(const Segment& segment, const Look& look, EffortSums& sums) const {
+    const EffortSample sample = at(segment, segment.duration_s / 2);
+    look(sample);
+    sums.squares = segment.duration_s * sample.efforts.cwiseAbs2();
+}
+
+EffortSums SegmentEfforts::sums(const Segment& segment, const Look& look) {
+    const Eigen::Index joints = dynamics_.joint_count();
+    EffortSums sums(dynamics_.joint_count());
+    if (segment.kind == motion::SegmentKind::rest && !segment.beside) {
+        add_rest(segment, look, sums);
+        return sums;
+    }
+    split(segment);
+    Rates sum = Rates::Zero(4 * joints);
+    double from_s = 0;
+    for (const double end_s : ends_s_) {
+        const double to_s = std::min(end_s, segment.duration_s);
+        if (to_s - from_s <= kShortest_s) continue;
+        const rrs::JointPos sense = senses(segment.at((from_s + to_s) / 2).velocity);
+        int parts_left = kMostParts;
+        add(segment, {from_s, to_s, sense}, 0, look, parts_left, sum);
+        from_s = to_s;
+    }
+    sums.squares = sum.segment(0, joints).matrix();
+    sums.in_j = sum.segment(joints, joints).matrix();
+    sums.back_j = sum.segment(2 * joints, joints).matrix();
+    sums.friction_j = sum.segment(3 * joints, joints).matrix();
+    return sums;
+}
+
+std::vector<EffortSample> SegmentEfforts::samples(const Segment& segment) {
+    std::vector<EffortSample> samples;
+    static_cast<void>(sums(segment, [&](const EffortSample& sample) { samples.push_back(sample); }));
+    std::stable_sort(samples.begin(), samples.end(),
+                     [](const EffortSample& a, const EffortSample& b) { return a.t_s < b.t_s; });
+    return samples;
+}
+
+}  // namespace gsim::dynamics

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "motion/dynamics/dynamics.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::dynamics {
+
+/// What the motors do in a piece of motion, for each joint.
+struct EffortSums {
+    explicit EffortSums(int joints);
+
+    rrs::JointPos squares;     ///< Of the effort, over time: N2 s or (Nm)2 s.
+    rrs::JointPos in_j;        ///< Work of the motor at the machine,
+    rrs::JointPos back_j;      ///< and of the machine at the motor; 0 or greater, both.
+    rrs::JointPos friction_j;  ///< What friction at the joint took.
+
+    EffortSums& operator+=(const EffortSums& other);
+};
+
+/// An instant of a segment.
+struct EffortSample {
+    double t_s = 0;  ///< Since the start of the segment.
+    Dynamics::Motion motion;
+    Efforts efforts;
+    rrs::JointPos powers_w;
+};
+
+/// Goes through segments by their closed forms. Efforts are smooth between the ends of the pieces of the time
+/// laws and the places where joints turn back; in between each part is integrated by the rule of Lobatto with
+/// its extension of Kronrod (Gander, Gautschi: Adaptive Quadrature - Revisited, BIT 40, 2000), and halved
+/// until both agree.
+class SegmentEfforts {
+  public:
+    /// `dynamics` must outlive this.
+    explicit SegmentEfforts(const Dynamics& dynamics) : dynamics_(dynamics) {}
+
+    using Look = std::function<void(const EffortSample&)>;
+
+    /// The sums of a segment. `look` gets each instant that is looked at, the ends of each smooth part among
+    /// them (from inside, where accelerations jump); in no order.
+    EffortSums sums(const motion::Segment& segment, const Look& look);
+
+    /// Those instants in the order of time.
+    std::vector<EffortSample> samples(const motion::Segment& segment);
+
+    /// An instant of a segment. Joints that stand have no friction.
+    EffortSample at(const motion::Segment& segment, double t_s) const;
+
+  private:
+    /// All that is integrated, one behind the other.
+    using Rates = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 * rrs::kMaxJoints, 1>;
+    struct Part {
+        double from_s;
+        double to_s;
+        rrs::JointPos sense;  ///< Of the joints in its middle.
+    };
+
+    void split(const motion::Segment& segment);
+    EffortSample at(const motion::Segment& segment, double t_s, const rrs::JointPos& sense) const;
+    Rates rates(const motion::Segment& segment, double t_s, const Part& part, const Look& look) const;
+    void add(const motion::Segment& segment, const Part& part, int halvings, const Look& look,
+             int& parts_left, Rates& sum) const;
+    bool agree(const Rates& coarse, const Rates& fine, double time_s) const;
+    void add_rest(const motion::Segment& segment, const Look& look, EffortSums& sums) const;
+
+    const Dynamics& dynamics_;
+    std::vector<double> ends_s_;  // of the parts of the segment that is gone through
+};
+
+}  // namespace gsim::dynamics

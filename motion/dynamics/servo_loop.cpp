@@ -1,0 +1,89 @@
+#include "motion/dynamics/servo_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gsim::dynamics {
+
+namespace {
+
+/// exp(-decay t) times the hyperbolic, or where `square` is below 0 the circular, functions of sqrt(|square|)
+/// t: cosh, and sinh over the root.
+struct Waves {
+    double even;
+    double odd;
+};
+
+Waves damped(double decay_1_s, double square, double t_s) {
+    const double root = std::sqrt(std::abs(square));
+    const double angle = root * t_s;
+    const double fade = std::exp(-decay_1_s * t_s);
+    if (angle < 0.1) {  // by their series: the next terms are below rounding
+        const double n = square * t_s * t_s;
+        return {fade * (1 + n / 2 * (1 + n / 12 * (1 + n / 30 * (1 + n / 56)))),
+                fade * t_s * (1 + n / 6 * (1 + n / 20 * (1 + n / 42 * (1 + n / 72))))};
+    }
+    if (square < 0) return {fade * std::cos(angle), fade * std::sin(angle) / root};
+    // The slow pole by the product of both, so that none is a difference of near numbers.
+    const double fast_1_s = decay_1_s + root;
+    const double slow_1_s = (decay_1_s * decay_1_s - square) / fast_1_s;
+    const double slow = std::exp(-slow_1_s * t_s), fast = std::exp(-fast_1_s * t_s);
+    return {(slow + fast) / 2, (slow - fast) / (2 * root)};
+}
+
+}  // namespace
+
+double ServoLoop::slowest_1_s() const {
+    if (lag_s <= 0 || std::isinf(gain_1_s)) return gain_1_s;
+    const double decay_1_s = 1 / (2 * lag_s);
+    const double square = decay_1_s * decay_1_s - gain_1_s / lag_s;
+    return square > 0 ? gain_1_s / lag_s / (decay_1_s + std::sqrt(square)) : decay_1_s;
+}
+
+ServoStep::ServoStep(const ServoLoop& loop, const SpeedPolynomial& speed, const ServoError& start)
+    : lag_s_(loop.lag_s) {
+    if (std::isinf(loop.gain_1_s)) return;
+    gain_1_s_ = loop.gain_1_s;
+    const double of_speed = 1 - loop.velocity_share;
+    const double of_change = (1 - loop.acceleration_share) * lag_s_;
+    const std::array<double, 4> asked{of_speed * speed[0] + of_change * speed[1],
+                                      of_speed * speed[1] + of_change * 2 * speed[2],
+                                      of_speed * speed[2] + of_change * 3 * speed[3], of_speed * speed[3]};
+    auto& [p0, p1, p2, p3] = forced_;
+    p3 = asked[3] / gain_1_s_;
+    p2 = (asked[2] - 3 * p3) / gain_1_s_;
+    p1 = (asked[1] - 2 * p2 - 6 * lag_s_ * p3) / gain_1_s_;
+    p0 = (asked[0] - p1 - 2 * lag_s_ * p2) / gain_1_s_;
+    left_ = {start.value - p0, lag_s_ > 0 ? start.rate - p1 : 0};
+}
+
+ServoError ServoStep::at(double t_s) const {
+    if (gain_1_s_ == 0) return {};
+    const auto& [p0, p1, p2, p3] = forced_;
+    const ServoError left = decayed(t_s);
+    return {p0 + t_s * (p1 + t_s * (p2 + t_s * p3)) + left.value,
+            p1 + t_s * (2 * p2 + t_s * 3 * p3) + left.rate};
+}
+
+ServoError ServoStep::decayed(double t_s) const {
+    if (left_.value == 0 && left_.rate == 0) return {};
+    if (lag_s_ <= 0) {
+        const double value = left_.value * std::exp(-gain_1_s_ * t_s);
+        return {value, -gain_1_s_ * value};
+    }
+    const double decay_1_s = 1 / (2 * lag_s_);
+    const double square = decay_1_s * decay_1_s - gain_1_s_ / lag_s_;
+    const Waves waves = damped(decay_1_s, square, t_s);
+    const double turned = left_.rate + decay_1_s * left_.value;
+    const double value = left_.value * waves.even + turned * waves.odd;
+    return {value, left_.value * square * waves.odd + turned * waves.even - decay_1_s * value};
+}
+
+// With real poles the error is at most |e| + |e'| lag; with complex ones its energy gain e^2 + lag e'^2
+// never grows.
+double ServoStep::transient() const {
+    if (lag_s_ <= 0) return std::abs(left_.value);
+    return std::abs(left_.value) + std::abs(left_.rate) * std::max(lag_s_, std::sqrt(lag_s_ / gain_1_s_));
+}
+
+}  // namespace gsim::dynamics

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "motion/dynamics/servo_loop.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::dynamics {
+
+/// The set points over a step, in which all of them are smooth.
+struct SetPointStep {
+    double start_s = 0;  ///< On the planner's clock.
+    double duration_s = 0;
+    motion::JointState from, to;
+    bool begins_segment = false;
+    bool straight = false;  ///< All joints go in proportion, as in all of this segment.
+};
+
+/// Follows the servo loops of all joints along a motion, step by step. Where a set point is a polynomial of
+/// time, which is everywhere but on arcs and great circles, a step is exact but for rounding. On those its
+/// speed is taken for the polynomial of third order that has the speed and acceleration of both ends, and no
+/// step turns by more than `kMostTurn_rad`. Steps are long where nothing is left to see: joints at constant
+/// speeds whose errors no longer change.
+class ServoMotion {
+  public:
+    static constexpr double kStep_s = 1e-3;
+    static constexpr double kMostTurn_rad = 0.05;
+    /// Of a segment; where it takes longer, steps are longer.
+    static constexpr double kMostSteps = 65'536;
+
+    using Look = std::function<void(const SetPointStep&)>;
+
+    /// One loop for each joint. `turns`: whether the joint turns the tool or the work.
+    ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> turns, double step_s = kStep_s);
+
+    /// All joints stand here at time 0, without an error.
+    void begin(const rrs::JointPos& start);
+    /// The next segment, behind a rest where it begins later than the last one ended. It outlives leave().
+    void enter(const motion::Segment& segment, const Look& look);
+    /// Goes on up to an instant of the segment that was entered; between segments the set points rest.
+    void go_to(double t_s, const Look& look);
+    /// Goes to its end.
+    void leave(const Look& look);
+
+    double now_s() const { return now_s_; }
+    /// How far back set_points() and places() reach, if there are as many steps.
+    double memory_s() const { return longest_delay_s_; }
+    /// At an instant up to now, as far back as memory_s() or in one of the last three steps.
+    rrs::JointPos set_points(double t_s) const;
+    /// Where the joints really are.
+    rrs::JointPos places(double t_s) const;
+
+  private:
+    struct JointStep {
+        double at = 0;  // the set point at the start
+        SpeedPolynomial speed{};
+        ServoStep error;
+
+        double set_point(double t_s) const {
+            return at + t_s * (speed[0] + t_s * (speed[1] / 2 + t_s * (speed[2] / 3 + t_s * speed[3] / 4)));
+        }
+        double speed_at(double t_s) const {
+            return speed[0] + t_s * (speed[1] + t_s * (speed[2] + t_s * speed[3]));
+        }
+    };
+    struct Step {
+        double start_s = 0;
+        double duration_s = 0;
+        std::vector<JointStep> joints;
+    };
+    /// The end of the last step of a joint.
+    struct JointEnd {
+        double set_point = 0;
+        double speed = 0;
+        ServoError error;
+    };
+
+    void enter_part();
+    double step_s_from(double left_s) const;
+    bool is_steady() const;
+    void make_step(double duration_s, const Look& look);
+    motion::JointState state_inside(double from_s, double to_s, bool at_end) const;
+    JointStep joint_step(std::size_t joint, double duration_s) const;
+    void keep(Step step);
+    const Step* step_at(double t_s) const;
+
+    std::vector<ServoLoop> loops_;
+    std::vector<bool> turns_;
+    double step_s_;
+    double longest_delay_s_ = 0;
+    rrs::JointPos start_;
+    std::vector<JointEnd> ends_;
+    std::deque<Step> steps_;
+    Step spare_;  // its memory
+    double now_s_ = 0;
+
+    motion::Segment rest_;                      // between segments
+    const motion::Segment* segment_ = nullptr;  // that is gone through
+    double at_s_ = 0;                           // in it
+    std::vector<double> part_ends_s_;           // of the parts in which its laws are polynomials
+    std::size_t part_ = 0;
+    bool part_entered_ = false;
+    bool part_constant_ = false;  // no speed changes in it
+    double curve_step_s_ = 0;     // that its arcs allow
+    SetPointStep set_;
+};
+
+}  // namespace gsim::dynamics

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "motion/planner/move_rules.h"
+#include "motion/planner/plan_error.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::motion {
+
+/// RRS_INVALID_PARAMETER where the arc leaves the position joints that the machine has.
+Planned check_arc(const PlannerSetup& setup, const Arc& arc);
+
+/// Plans circular motion along segment.arc, which goes from segment.start to segment.end in the position
+/// joints; all other moving joints follow, but for those of segment.orientation, which go with the arc.
+/// Tangential speed and acceleration keep the programmed values, the limits of the path and, for the
+/// direction of travel in which each is worst, those of the position joints. Acceleration towards the centre
+/// is not limited here: Segment::peak_centripetal_mm_s2 tells it. RRS_ZERO_SPEED and as check_arc().
+Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
+
+}  // namespace gsim::motion

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "motion/planner/move_terms.h"
+#include "motion/planner/plan_error.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::motion {
+
+/// Plans joint motion from segment.start to segment.end: all joints in proportion, by one law, with the
+/// leading joint at its limit, or at a share of its speed. A move that goes nowhere becomes a segment of no
+/// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+Planned plan_joint_move(const PlannerSetup& setup, const MoveTerms& terms, double speed_share,
+                        Segment& segment);
+
+}  // namespace gsim::motion

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "motion/planner/move_rules.h"
+#include "motion/planner/plan_error.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::motion {
+
+/// Plans a straight line from segment.start to segment.end. The position joints lead where any of them moves,
+/// in a straight line; else the other prismatic joints; else the rotary joints, in the space of their angles.
+/// All other moving joints follow, but for those of segment.orientation, which go with the lead; where rotary
+/// joints alone move, its angle leads. A move that goes nowhere becomes a segment of no duration.
+/// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
+
+/// Makes the segment one that stays where it is for `duration_s`.
+void plan_stay(Segment& segment, double duration_s);
+
+/// The answer where a path asks for a programmed speed and has none.
+tl::unexpected<PlanError> no_programmed_speed();
+
+}  // namespace gsim::motion

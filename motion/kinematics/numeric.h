@@ -1,0 +1,77 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "motion/kinematics/chain.h"
+#include "motion/kinematics/jacobian.h"
+#include "motion/kinematics/kinematics.h"
+
+namespace gsim::kinematics {
+
+/// The inverse of any chain by damped least squares (Wampler 1986; Nakamura and Hanafusa 1986) with a damping
+/// that falls with the square of what is left to go (Sugihara 2011), from several starts in the joints'
+/// ranges: first as if they had no ends, then held within them. A pose is always meant whole, position and
+/// orientation.
+class NumericKinematics : public Kinematics {
+  public:
+    /// `ranges` of all joints, or none where there are no limits; `held` are the joints that no search moves,
+    /// by their indices. The error is a sentence.
+    static tl::expected<std::shared_ptr<const NumericKinematics>, std::string> make(
+        Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> held = {});
+
+    const Chain& chain() const override { return chain_; }
+    int joint_count() const override { return chain_.joint_count(); }
+    InverseKind inverse_kind() const override { return InverseKind::numeric; }
+    rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
+
+    /// The solution that the search from `near` leads to, which mostly is the nearest one; where it leads to
+    /// none, the first that another start leads to. Within the ranges, and to 1e-9 mm and 1e-10 rad, at
+    /// singular stances to 1e-6. The error says by how much the pose is out of reach, and which joints line
+    /// up where the search has ended, by their names or by their indices.
+    tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
+                                                     const rrs::JointPos& near) const override;
+    /// What a fixed number of starts leads to: all solutions of an arm with six joints, save where two lie
+    /// close together; of one with more joints, which has endlessly many, some.
+    tl::expected<std::vector<rrs::JointPos>, std::string> solutions(const rrs::CartPos& pose,
+                                                                    const rrs::JointPos& near) const override;
+
+    std::vector<int> lined_up(const rrs::JointPos& joints) const override;
+    std::vector<int> held_joints() const override { return held_; }
+
+  private:
+    struct Attempt {
+        rrs::JointPos joints;
+        Twist left = Twist::Zero();                              ///< What is left to go, mm and rad.
+        double error = std::numeric_limits<double>::infinity();  ///< Its size, lengths in mm_per_rad_.
+        bool reached = false;
+    };
+
+    NumericKinematics(Chain chain, std::vector<JointRange> ranges, std::vector<int> held);
+    bool is_held(int joint) const;
+    std::optional<std::string> find_held_fault(const rrs::JointPos& near) const;
+    std::vector<int> lined_up(const rrs::JointPos& joints, double threshold) const;
+    rrs::JointPos start(int number, const rrs::JointPos& near) const;
+    double size(const Twist& left) const;
+    rrs::JointPos step(const Stance& stance, const Twist& left, const rrs::JointPos& joints,
+                       const std::vector<JointRange>& ranges) const;
+    Attempt search(const rrs::CartPos& pose, const rrs::JointPos& from, const std::vector<JointRange>& ranges,
+                   double least_gain) const;
+    Attempt attempt(const rrs::CartPos& pose, const rrs::JointPos& from, const rrs::JointPos& near) const;
+    std::string names(const std::vector<int>& joints) const;
+    std::string out_of_reach(const rrs::CartPos& pose, const Attempt& best) const;
+
+    Chain chain_;
+    std::vector<JointRange> ranges_;
+    std::vector<JointRange> no_ranges_;  ///< As many without ends.
+    std::vector<int> held_;
+    double mm_per_rad_ = 1;
+};
+
+}  // namespace gsim::kinematics

@@ -1,0 +1,140 @@
+#include "motion/kinematics/rotary_axes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text/number.h"
+#include "base/units.h"
+#include "motion/kinematics/screws.h"
+
+namespace gsim::kinematics {
+
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kOrientation_rad = 1e-6;
+
+bool parallel(const Vector3d& a, const Vector3d& b) {
+    return a.cross(b).norm() < kParallel;
+}
+
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// The angle of the rotation about the unit vector `axis` that brings `from` over `to`, both projected along
+// it.
+double angle_about(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
+    return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
+}
+
+}  // namespace
+
+RotaryAxes::RotaryAxes(std::vector<Vector3d> axes, const Matrix3d& at_zero)
+    : axes_(std::move(axes)), at_zero_(at_zero) {}
+
+Matrix3d RotaryAxes::turn(int axis, double angle_rad) const {
+    return AngleAxisd(angle_rad, axes_[static_cast<std::size_t>(axis)]).toRotationMatrix();
+}
+
+Matrix3d RotaryAxes::turned(const Angles& angles) const {
+    Matrix3d rotation = at_zero_;
+    for (int axis = count() - 1; axis >= 0; --axis) rotation = turn(axis, angles[axis]) * rotation;
+    return rotation;
+}
+
+std::vector<RotaryAxes::Choice> RotaryAxes::choices(const Matrix3d& rotation, const Angles& near) const {
+    std::vector<Choice> found;
+    found.reserve(3);
+    const Angles exact = exact_angles(rotation * at_zero_.transpose());
+    if (turned(exact).isApprox(rotation, kOrientation_rad)) found.push_back({exact, true});
+    for (const Angles& angles : tool_axis_angles(rotation.col(2), near)) {
+        if ((turned(angles).col(2) - rotation.col(2)).norm() <= kOrientation_rad)
+            found.push_back({angles, false});
+    }
+    return found;
+}
+
+// The angles that give `turn` = Rot(first) Rot(second), if any do: the first rotation alone moves the second
+// axis, and the second alone, undone, the first axis. Well-conditioned everywhere, as the axes are not
+// parallel.
+RotaryAxes::Angles RotaryAxes::exact_angles(const Matrix3d& turn) const {
+    if (axes_.empty()) return Angles::Zero();
+    if (axes_.size() == 1) {
+        const Vector3d across = axes_[0].unitOrthogonal();
+        return {angle_about(axes_[0], across, turn * across), 0};
+    }
+    return {angle_about(axes_[0], axes_[1], turn * axes_[1]),
+            -angle_about(axes_[1], axes_[0], turn.transpose() * axes_[0])};
+}
+
+std::vector<RotaryAxes::Angles> RotaryAxes::tool_axis_angles(const Vector3d& tool_axis,
+                                                             const Angles& near) const {
+    const Vector3d at_zero = at_zero_.col(2);
+    if (axes_.empty()) return {Angles::Zero()};
+    if (axes_.size() == 2) return two_axis_angles(tool_axis, near);
+    if (parallel(at_zero, axes_[0])) return {Angles{near[0], 0}};
+    return {Angles{angle_about(axes_[0], at_zero, tool_axis), 0}};
+}
+
+// Rot(first) Rot(second) at_zero = tool_axis: the direction between the two rotations lies on the cones about
+// both axes, that is at x first + y second +- z (first x second).
+std::vector<RotaryAxes::Angles> RotaryAxes::two_axis_angles(const Vector3d& tool_axis,
+                                                            const Angles& near) const {
+    const Vector3d& first = axes_[0];
+    const Vector3d& second = axes_[1];
+    const Vector3d at_zero = at_zero_.col(2);
+    const double w = first.dot(second);
+    const double along_first = first.dot(tool_axis);
+    const double along_second = second.dot(at_zero);
+    const Vector3d normal = first.cross(second);
+    const double x = (along_first - w * along_second) / normal.squaredNorm();
+    const double y = (along_second - w * along_first) / normal.squaredNorm();
+    const double z_squared = (1 - x * x - y * y - 2 * x * y * w) / normal.squaredNorm();
+    if (z_squared < -kOrientation_rad) return {};
+    const double z = std::sqrt(std::max(0.0, z_squared));
+
+    std::vector<Angles> found;
+    found.reserve(2);
+    for (const double sign : {1.0, -1.0}) {
+        const Vector3d between = x * first + y * second + sign * z * normal;
+        Angles angles = near;
+        if (!parallel(at_zero, second)) angles[1] = angle_about(second, at_zero, between);
+        if (!parallel(tool_axis, first)) angles[0] = angle_about(first, between, tool_axis);
+        found.push_back(angles);
+    }
+    return found;
+}
+
+// The tool's axis reaches the directions at some angles to the first axis: all those between the least and
+// the greatest that the second rotation gives it.
+double RotaryAxes::miss_rad(const Vector3d& tool_axis) const {
+    const Vector3d at_zero = at_zero_.col(2);
+    if (axes_.empty()) return angle_between(at_zero, tool_axis);
+    const double angle = angle_between(axes_[0], tool_axis);
+    if (axes_.size() == 1) return std::abs(angle - angle_between(axes_[0], at_zero));
+    const double between_axes = angle_between(axes_[0], axes_[1]);
+    const double to_tool = angle_between(axes_[1], at_zero);
+    const double least = std::abs(between_axes - to_tool);
+    const double greatest = std::numbers::pi - std::abs(std::numbers::pi - between_axes - to_tool);
+    return std::max({0.0, least - angle, angle - greatest});
+}
+
+std::string RotaryAxes::out_of_reach(const Vector3d& tool_axis) const {
+    return fmt::format(
+        "The machine's {} rotary axes cannot bring the tool into direction ({}, {}, {}); they "
+        "miss "
+        "it by {:.6g} deg.",
+        count(), text::fixed(tool_axis.x(), 6), text::fixed(tool_axis.y(), 6), text::fixed(tool_axis.z(), 6),
+        miss_rad(tool_axis) * kDegPerRad);
+}
+
+}  // namespace gsim::kinematics

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "motion/linuxcnc/axes.h"
+#include "motion/linuxcnc/corner.h"
+#include "motion/linuxcnc/piece.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// The speeds of a blend arc and the radius at which they can be driven.
+struct BlendSpeeds {
+    double half_angle_rad = 0;  ///< Half of the angle between the legs.
+    double tolerance_mm = 0;    ///< How far the arc may stay away from the corner.
+    double acceleration = 0;
+    double requested_speed = 0;
+    double speed = 0;
+    double radius_mm = 0;
+};
+
+/// A circle that touches both legs of a corner.
+struct BlendCircle {
+    Eigen::Vector3d center;
+    double cut_before = 0;  ///< Off the end of the leg before: mm of a line, rad of an arc.
+    double cut_after = 0;   ///< Off the begin of the leg after.
+};
+
+/// Speeds and radius within both legs' room and tolerances; nothing where the corner is none.
+std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after, const Corner& corner,
+                                        const Leg& leg_before, const Leg& leg_after, const Axes& axes);
+
+/// Where the circle lies; nothing where none fits.
+std::optional<BlendCircle> blend_circle(const Corner& corner, const Leg& before, const Leg& after,
+                                        const BlendSpeeds& speeds);
+
+}  // namespace gsim::motion::linuxcnc

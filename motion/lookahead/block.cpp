@@ -1,0 +1,303 @@
+#include "motion/lookahead/block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "motion/exact_stop/line_move.h"
+#include "motion/path/arc_limits.h"
+#include "motion/path/axis_space.h"
+#include "motion/path/joint_changes.h"
+#include "motion/path/lead_path.h"
+#include "motion/path/orientation_path.h"
+#include "motion/profile/stepped_ramps.h"
+
+namespace gsim::motion {
+
+namespace {
+
+/// Greatest change of each joint by length of way, all along it; 0 for those of an orientation arc.
+rrs::JointPos shares_of(const PathMove& move, const PlannerSetup& setup, const Block& block) {
+    rrs::JointPos shares = block.slope_in.cwiseAbs();
+    if (move.orientation) shares[move.orientation->turn_joint()] = shares[move.orientation->tilt_joint()] = 0;
+    if (move.kind != SegmentKind::circular) return shares;
+    const Eigen::Vector3d of_arc = move.arc.max_shares();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) shares[joint] = of_arc[axis];
+    }
+    return shares;
+}
+
+void limit(double& value, LimitedBy& by, double other, LimitedBy other_by) {
+    if (other >= value) return;
+    value = other;
+    by = other_by;
+}
+
+void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Block& block) {
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const double share = shares[joint];
+        if (share < kNoShare) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        const auto index = static_cast<std::int8_t>(joint);
+        limit(block.max_speed, block.speed_limit, limits.max_speed / share, {LimitKind::joint_speed, index});
+        limit(block.acceleration, block.acceleration_limit, limits.max_acceleration / share,
+              {LimitKind::acceleration, index});
+        block.deceleration = std::min(block.deceleration, limits.deceleration() / share);
+        if (setup.controller.limit_jerk)
+            limit(block.jerk, block.jerk_limit, limits.max_jerk / share, {LimitKind::jerk, index});
+    }
+}
+
+/// How far the joints other than the rotary ones go, mm.
+double linear_way(const JointChanges& changes) {
+    return std::hypot(changes.norm(JointRole::position), changes.norm(JointRole::secondary));
+}
+
+/// Whether rotary joints alone move.
+bool only_turns(const JointChanges& changes) {
+    return linear_way(changes) == 0;
+}
+
+/// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move; where
+/// the lead is of all axes, what that makes of it.
+double programmed_speed(const PathMove& move, const MoveRules& rules, const JointChanges& changes,
+                        const Block& block, const rrs::ControllerRules& controller) {
+    if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
+    if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
+    if (move.rapid) return kUnlimited;
+    const bool of_all_axes = controller.path_measure == rrs::PathMeasure::all_axes;
+    if (of_all_axes && only_turns(changes)) return rules.orientation_speed_rad_s / kRadPerDeg;
+    const double feed = std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
+    if (!of_all_axes || controller.feed_measure == rrs::PathMeasure::all_axes) return feed;
+    return feed * block.lead.length / linear_way(changes);
+}
+
+/// How far the tool turns: along the great circle, or by the norm of the rotary joints.
+double turn_of(const PathMove& move, const JointChanges& changes) {
+    return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
+}
+
+void limit_by_program(const PathMove& move, const MoveRules& asked, const PlannerSetup& setup,
+                      const JointChanges& changes, Block& block) {
+    const double turn = turn_of(move, changes);
+    const MoveRules rules = asked.resolved(turn > 0 && block.lead.role != JointRole::rotary);
+    limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, changes, block, setup.controller),
+          {asked.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
+    if (block.lead.role != JointRole::rotary) {
+        limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
+        limit(block.acceleration, block.acceleration_limit, rules.path_acceleration_mm_s2,
+              {LimitKind::path_acceleration, -1});
+        block.deceleration = std::min(block.deceleration, rules.path_acceleration_mm_s2);
+    }
+    if (turn == 0) return;
+    const double way_per_turn = block.lead.length / turn;
+    limit(block.max_speed, block.speed_limit, rules.orientation_speed_rad_s * way_per_turn,
+          {LimitKind::feed, -1});
+    limit(block.acceleration, block.acceleration_limit, rules.orientation_acceleration_rad_s2 * way_per_turn,
+          {LimitKind::path_acceleration, -1});
+    block.deceleration = std::min(block.deceleration, rules.orientation_acceleration_rad_s2 * way_per_turn);
+}
+
+/// What the joints can do towards the centre of an arc, all round it.
+double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
+    double acceleration = kUnlimited;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        const double share = std::hypot(arc.u[axis], arc.v[axis]);
+        if (joint < 0 || share < kNoShare) continue;
+        acceleration = std::min(acceleration,
+                                setup.joints[static_cast<std::size_t>(joint)].least_acceleration() / share);
+    }
+    return acceleration;
+}
+
+/// `limit` takes the limits of the block as those of a lead.
+template <typename Limit>
+void limit_lead(Block& block, const Limit& limit) {
+    LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
+                  block.jerk_limit};
+    limit(lead);
+    block.max_speed = lead.limits.max_speed;
+    block.acceleration = lead.limits.acceleration;
+    block.deceleration = lead.limits.deceleration;
+    block.jerk = lead.limits.jerk;
+    block.speed_limit = lead.speed_limit;
+    block.acceleration_limit = lead.acceleration_limit;
+    block.jerk_limit = lead.jerk_limit;
+}
+
+/// On a curve the acceleration of a joint is shared: one part keeps to the curve, the other one changes the
+/// speed, at right angles to each other.
+void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& block) {
+    const double share = setup.controller.centripetal_share;
+    if (!std::isfinite(share)) return;
+    const double curvature = move.arc.max_curvature();
+    const double towards_center = share * acceleration_in_plane(setup, move.arc);
+    limit(block.max_speed, block.speed_limit, std::sqrt(towards_center / curvature),
+          {LimitKind::centripetal, -1});
+    if (share >= 1) return;
+    block.acceleration *= std::sqrt(1 - share * share);
+    block.deceleration *= std::sqrt(1 - share * share);
+    limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
+}
+
+/// The joints go round on the curve that the pieces of a move stand for. That may take half of what a joint
+/// can do; what it leaves at the speed of the block is for the ramps.
+void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs::JointPos& shares,
+                   Block& block) {
+    constexpr double kMostOfBend = 0.5;
+    const auto limit_of = [&](int joint) {
+        return setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
+    };
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (piece.bend[joint] > 0) {
+            limit(block.max_speed, block.speed_limit,
+                  std::sqrt(kMostOfBend * limit_of(joint) / piece.bend[joint]), {LimitKind::centripetal, -1});
+        }
+    }
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (!(piece.bend[joint] > 0) || shares[joint] < kNoShare || std::isinf(limit_of(joint))) continue;
+        const double rest = limit_of(joint) - piece.bend[joint] * block.max_speed * block.max_speed;
+        limit(block.acceleration, block.acceleration_limit, rest / shares[joint],
+              {LimitKind::acceleration, static_cast<std::int8_t>(joint)});
+        block.deceleration = std::min(block.deceleration, rest / shares[joint]);
+    }
+}
+
+Lead lead_of(const PathMove& move, const JointChanges& changes, const rrs::ControllerRules& controller) {
+    if (controller.path_measure == rrs::PathMeasure::all_axes && move.kind == SegmentKind::linear) {
+        const double turn_deg = changes.norm(JointRole::rotary) / kRadPerDeg;
+        return {JointRole::position, std::hypot(linear_way(changes), turn_deg)};
+    }
+    if (move.piece) return {move.piece->role, move.piece->length};
+    if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
+    for (const JointRole role : {JointRole::position, JointRole::secondary}) {
+        if (changes.norm(role) > 0) return {role, changes.norm(role)};
+    }
+    return {JointRole::rotary, turn_of(move, changes)};
+}
+
+void set_head_slopes(const OrientationArc& arc, Block& block) {
+    const double rate = arc.length_rad() / block.lead.length;
+    const HeadAngles in = arc.at(0).first;
+    const HeadAngles out = arc.at(arc.length_rad()).first;
+    block.slope_in[arc.turn_joint()] = in.turn * rate;
+    block.slope_in[arc.tilt_joint()] = in.tilt * rate;
+    block.slope_out[arc.turn_joint()] = out.turn * rate;
+    block.slope_out[arc.tilt_joint()] = out.tilt * rate;
+}
+
+void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
+    block.slope_in.resize(setup.joint_count());
+    for (int joint = 0; joint < setup.joint_count(); ++joint)
+        block.slope_in[joint] = changes.of(joint) / block.lead.length;
+    block.slope_out = block.slope_in;
+    if (move.orientation) set_head_slopes(*move.orientation, block);
+    if (move.kind != SegmentKind::circular) return;
+    put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
+    put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
+}
+
+void leave_for_overlaying(const rrs::ControllerRules& controller, Block& block) {
+    if (block.move.mode != rrs::PathMode::continuous) return;
+    block.acceleration *= controller.continuous_acceleration_share;
+    block.deceleration *= controller.continuous_acceleration_share;
+}
+
+/// Of the tool; 0 where rotary joints alone move.
+double tool_way(const Lead& lead, const JointChanges& changes, const rrs::ControllerRules& controller) {
+    if (lead.role == JointRole::rotary) return 0;
+    return controller.path_measure == rrs::PathMeasure::all_axes ? linear_way(changes) : lead.length;
+}
+
+/// `asked`: the programmed speed, of which alone the mean acceleration depends.
+void drive_in_steps(double asked, Block& block) {
+    const double speed = std::isfinite(asked) ? asked : block.max_speed;
+    const double acceleration = std::min(block.acceleration, block.deceleration);
+    if (!std::isfinite(block.jerk) || !std::isfinite(acceleration) || !std::isfinite(speed)) return;
+    block.steps = SteppedLimits{acceleration, block.jerk};
+    block.acceleration = block.deceleration =
+        SteppedRamps::mean_acceleration_s(speed, acceleration, block.jerk);
+    block.acceleration_limit = block.jerk_limit;
+    block.jerk = kUnlimited;
+}
+
+Settling settling_of(const rrs::ControllerRules& controller) {
+    if (controller.position_gain_1_s <= 0) return {controller.settle_s, kUnlimited, kUnlimited};
+    return {controller.settle_s, controller.in_position_mm, controller.in_position_deg * kRadPerDeg};
+}
+
+/// No less than the time from rest to rest.
+double longest_s(const Block& block) {
+    const double length = block.lead.length;
+    const double acceleration = std::min(block.acceleration, block.deceleration);
+    return length / block.max_speed + 2 * std::sqrt(length / acceleration) +
+           4 * std::cbrt(length / block.jerk);
+}
+
+Planned check(const Block& block) {
+    if (!std::isfinite(block.lead.length) || !(longest_s(block) <= kLongest_s)) {
+        return refused(
+            rrs::Status::RRS_INVALID_PARAMETER,
+            fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
+    }
+    if (!std::isfinite(block.max_speed) && !std::isfinite(block.acceleration)) {
+        return refused(rrs::Status::RRS_ZERO_SPEED,
+                       "The move would take no time: no speed is programmed and the machine sets no limit.");
+    }
+    return {};
+}
+
+}  // namespace
+
+rrs::JointPos Block::line_at(double length) const {
+    if (length <= 0) return move.start;
+    if (length >= lead.length) return move.end;
+    return move.start + length / lead.length * (move.end - move.start);
+}
+
+tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, const PlannerSetup& setup,
+                                                       const Overrides& overrides) {
+    const JointChanges changes(setup, move.start, move.end);
+    Block block;
+    block.lead = lead_of(move, changes, setup.controller);
+    if (block.lead.length == 0) return std::nullopt;
+    const MoveRules rules = move.rules.overridden(overrides, move.obeyed, move.rapid);
+    const bool turns = block.lead.role == JointRole::rotary || only_turns(changes);
+    const bool feed = !turns && !move.rapid && rules.least_duration_s <= 0;
+    if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    block.move = move;
+    block.move.length_mm = tool_way(block.lead, changes, setup.controller);
+    block.settling = settling_of(setup.controller);
+    set_slopes(move, setup, changes, block);
+    limit_by_program(move, rules, setup, changes, block);
+    limit_by_joints(setup, shares_of(move, setup, block), block);
+    if (move.piece) limit_by_bend(setup, *move.piece, block.slope_in.cwiseAbs(), block);
+    if (move.kind == SegmentKind::circular) {
+        limit_by_curvature(move, setup, block);
+        limit_lead(block, [&](LeadPath& lead) { limit_by_arc_jerk(setup, move.arc, lead); });
+    }
+    if (move.orientation)
+        limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
+    leave_for_overlaying(setup.controller, block);
+    if (setup.controller.block_time_s > 0) {
+        limit(block.max_speed, block.speed_limit,
+              block.lead.length / (setup.controller.block_time_s * move.share), {LimitKind::block_time, -1});
+    }
+    if (rules.rapid_share < 1)
+        limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
+              {LimitKind::rapid_override, -1});
+    if (setup.controller.limit_jerk && setup.controller.ramp_step_s > 0) {
+        const double asked = programmed_speed(move, move.rules, changes, block, setup.controller);
+        drive_in_steps(asked, block);
+    }
+    if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
+    return block;
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,291 @@
+#include "motion/lookahead/look_ahead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/exact_stop/line_move.h"
+#include "motion/lookahead/blend.h"
+#include "motion/lookahead/corner.h"
+#include "motion/lookahead/corner_window.h"
+#include "motion/path/chords.h"
+#include "motion/path/limited_way.h"
+#include "motion/profile/ramp.h"
+#include "motion/segment/followers.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kReachedBlockSpeed = 1e-9;  // relative
+constexpr std::size_t kMostInnerPieces = 2'000;
+
+bool leads_on(const Block& block) {
+    return block.move.piece && !block.move.reaches_target;
+}
+
+rrs::JointPos on_grid(const PlannerSetup& setup, rrs::JointPos position) {
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const double step = setup.joints[static_cast<std::size_t>(joint)].step;
+        if (step > 0) position[joint] = std::round(position[joint] / step) * step;
+    }
+    return position;
+}
+
+}  // namespace
+
+Planned LookAhead::add(const PathMove& move) {
+    const bool chords = move.kind == SegmentKind::circular && setup_.controller.arc_chord_tolerance_mm > 0;
+    if (!chords) return add_line(move);
+    Planned planned;
+    for_each_chord(move, setup_, [&](const PathMove& line) {
+        if (planned) planned = add_line(line);
+    });
+    return planned;
+}
+
+/// Controllers that know lines alone count steps: they plan from step to step, so that short blocks have ends
+/// off their line.
+Planned LookAhead::add_line(const PathMove& move) {
+    if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
+    PathMove line = move;
+    if (has_rounded_) line.start = rounded_;
+    line.end = on_grid(setup_, move.end);
+    Planned planned = add_block(line);
+    if (planned) {
+        rounded_ = line.end;
+        has_rounded_ = true;
+    }
+    return planned;
+}
+
+Planned LookAhead::add_block(const PathMove& move) {
+    if (setup_.overrides && window_.empty()) take_overrides(output_.time_s());
+    auto block =
+        setup_.move_limits ? limited_block_of(move, setup_, overrides_) : block_of(move, setup_, overrides_);
+    if (!block) return tl::unexpected(std::move(block.error()));
+    if (!*block) {
+        reach_with_last(move);
+        return {};
+    }
+    if (!window_.empty()) join(window_.size(), **block);
+    if (leads_on(**block)) ++inner_;
+    window_.push_back(*std::move(*block));
+    if (!window_is_full()) return {};
+    if (!knows_exit()) plan_back(largest_exit_cut(setup_, window_.back()));
+    put_out_front();
+    return {};
+}
+
+/// The last chord of an arc may be rounded away.
+void LookAhead::reach_with_last(const PathMove& move) {
+    if (window_.empty() || window_.back().move.target_id != move.target_id) return;
+    window_.back().move.reaches_target = move.reaches_target;
+}
+
+/// Further blocks only raise planned speeds. So the one at which the oldest block ends is final where it is
+/// all that the corner allows or that the block can reach.
+bool LookAhead::knows_exit() const {
+    if (window_.size() < 2) return true;
+    const Block& next = window_[1];
+    return next.entry >= next.entry_cap || next.entry > reachable_exit();
+}
+
+bool LookAhead::window_is_full() const {
+    const std::size_t most = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
+    return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
+}
+
+/// The corner between the first `count` blocks of the window and `to`.
+void LookAhead::join(std::size_t count, Block& to) {
+    Block& from = window_[count - 1];
+    const BlocksBefore before{window_, count};
+    const CornerSpeed corner =
+        setup_.move_limits ? limited_corner(before, to) : corner_speed(setup_, before, to);
+    to.entry_cap = corner.speed;
+    to.entry_limit = corner.limit;
+    to.entry_blend = corner.blend;
+    from.exit_cut = corner.blend.cut;
+    if (!corner.takes_acceleration) return;
+    if (to.corner_accelerations) {
+        leave_for_corners(setup_at_corner(setup_, *to.corner_accelerations), before, to);
+    } else {
+        leave_for_corners(setup_, before, to);
+    }
+}
+
+/// A corner whose accelerations are its own.
+CornerSpeed LookAhead::limited_corner(const BlocksBefore& before, Block& to) {
+    to.corner_accelerations = corner_accelerations(setup_, before.back(), to);
+    if (!to.corner_accelerations) return {};
+    return corner_speed(setup_at_corner(setup_, *to.corner_accelerations), before, to);
+}
+
+/// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
+/// planned before and gains nothing.
+void LookAhead::plan_back(double held_back) {
+    double exit_speed = 0;
+    double way = std::max(window_.back().way() - held_back, 0.0);
+    bool by_window = true;
+    for (std::size_t i = window_.size() - 1; i > 0; --i) {
+        Block& block = window_[i];
+        const double reachable = reachable_speed(way, exit_speed, block.deceleration, block.jerk);
+        const bool corner = block.entry_cap <= reachable;
+        const double entry = corner ? block.entry_cap : reachable;
+        by_window = by_window && !corner;
+        if (i < planned_ && entry <= block.entry && by_window == block.by_window) break;
+        block.entry = entry;
+        block.by_window = by_window;
+        exit_speed = entry;
+        way = window_[i - 1].way();
+    }
+    planned_ = window_.size();
+}
+
+/// The speed at which the next block begins, as far as the oldest one can reach it.
+double LookAhead::front_exit_speed() const {
+    const double planned = std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
+    return setup_.overrides ? std::max(is_held() ? 0 : planned, least_exit()) : planned;
+}
+
+double LookAhead::reachable_exit() const {
+    const Block& block = window_.front();
+    return reachable_speed(block.way(), speed_, block.acceleration, block.jerk);
+}
+
+/// Where few blocks are known a blend could be passed so slowly only that a stop takes less time. The cut is
+/// long enough for that stop.
+void LookAhead::drop_slow_blend() {
+    if (window_.size() < 2) return;
+    Block& from = window_[0];
+    Block& to = window_[1];
+    if (to.entry_blend.cut <= 0 || front_exit_speed() >= least_blend_speed(from, to)) return;
+    if (setup_.overrides && least_exit() > 0) return;
+    to.entry_blend = {};
+    to.entry = to.entry_cap = 0;
+    to.entry_limit = LimitKind::stop;
+    from.exit_cut = 0;
+}
+
+/// The less of a blend that is passed slowly leaves more of both lines to speed up on.
+void LookAhead::fit_blend(double speed) {
+    if (window_.size() < 2 || window_[1].entry_blend.cut <= 0 || !(speed > 0)) return;
+    Block& to = window_[1];
+    to.entry_blend = to.corner_accelerations
+                         ? blend_at(setup_at_corner(setup_, *to.corner_accelerations), window_[0], to, speed)
+                         : blend_at(setup_, window_[0], to, speed);
+    window_[0].exit_cut = window_[1].entry_blend.cut;
+}
+
+void LookAhead::put_out_front() {
+    if (setup_.overrides) {
+        while (turn_overrides()) {
+        }
+    }
+    drop_slow_blend();
+    const double exit = front_exit_speed();
+    fit_blend(exit);
+    const Block& block = window_.front();
+    const bool blended = block.exit_cut > 0;
+    const bool settles = exit == 0 && block.move.mode == rrs::PathMode::exact_stop;
+    // The wait depends on the motion that it follows, which is put out first.
+    const bool may_wait =
+        settles && (block.settling.fixed_s > 0 || std::isfinite(block.settling.in_position_mm));
+    const bool reaches_target = block.move.reaches_target && !blended && !may_wait;
+    if (block.steps) {
+        put_out_steps(block, exit, reaches_target);
+    } else {
+        put_out_way(block, exit, reaches_target);
+    }
+    if (blended) {
+        const Block& next = window_[1];
+        put_out_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
+    }
+    if (may_wait) put_out_rest(block.move.target_id, block.move.end, settle_s(block));
+    if (leads_on(block)) --inner_;
+    window_.pop_front();
+    planned_ = std::max<std::size_t>(planned_, 1) - 1;
+    speed_ = exit;
+}
+
+void LookAhead::put_out_way(const Block& block, double exit_speed, bool reaches_target) {
+    const double way = block.way();
+    if (!(way > 0)) return;
+    const double length = block.lead.length;
+    Segment& segment = output_.begin(block.move.target_id);
+    segment.kind = block.move.kind;
+    segment.start = block.entry_blend.cut > 0 ? block.line_at(block.entry_blend.cut) : block.move.start;
+    segment.end = block.exit_cut > 0 ? block.line_at(length - block.exit_cut) : block.move.end;
+    segment.arc = block.move.arc;
+    segment.orientation = block.move.orientation;
+    segment.length_mm = block.move.length_mm * (way / length);
+    segment.reaches_target = reaches_target;
+    segment.lead = front_law(exit_speed);
+    segment.lead_limits = block.limits();
+    segment.lead_limits.max_speed = std::max(block.max_speed, segment.lead.peak_speed());
+    segment.duration_s = segment.lead.duration_s();
+    segment.limited_by = limited_by(block, segment.lead, exit_speed);
+    output_.finish();
+}
+
+/// The fixed time, and what the joint that is farthest out of its band needs.
+double LookAhead::settle_s(const Block& block) const {
+    double worst = 0;  // error over band
+    for (int joint = 0; joint < setup_.joint_count(); ++joint) {
+        const bool rotary = setup_.role(joint) == JointRole::rotary;
+        const double band = rotary ? block.settling.in_position_rad : block.settling.in_position_mm;
+        worst = std::max(worst, std::abs(block.slope_out[joint]) * output_.lag() / band);
+    }
+    if (!(worst > 1)) return block.settling.fixed_s;
+    return block.settling.fixed_s + std::log(worst) / setup_.controller.position_gain_1_s;
+}
+
+LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
+    const Block& slower = from.max_speed <= to.max_speed ? from : to;
+    if (speed >= slower.max_speed * (1 - kReachedBlockSpeed)) return slower.speed_limit;
+    return {to.by_window && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
+}
+
+void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
+    Segment& rest = output_.begin(id);
+    rest.kind = SegmentKind::rest;
+    rest.start = rest.end = end;
+    plan_stay(rest, settle_s);
+    output_.finish();
+}
+
+LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
+    if (law.peak_speed() >= block.max_speed * (1 - kReachedBlockSpeed)) return block.speed_limit;
+    const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
+    if (next != nullptr && next->by_window && exit_speed >= next->entry) return {LimitKind::look_ahead, -1};
+    const bool slow_corner = speed_ > 0 && exit_speed > 0;
+    if (slow_corner && next != nullptr && next->entry_limit == LimitKind::corner)
+        return {LimitKind::corner, -1};
+    return limit_reached(law, block.limits(), block.speed_limit, block.acceleration_limit, block.jerk_limit);
+}
+
+void LookAhead::come_to_rest() {
+    if (!window_.empty()) plan_back(0);
+    ending_ = true;
+    while (!window_.empty()) put_out_front();
+    ending_ = false;
+    speed_ = 0;
+}
+
+rrs::JointPos LookAhead::standing_at(const rrs::JointPos& position) const {
+    return has_rounded_ ? rounded_ : position;
+}
+
+void LookAhead::clear() {
+    window_.clear();
+    overrides_ = {};
+    overrides_s_ = 0;
+    planned_ = 0;
+    inner_ = 0;
+    output_.clear();
+    stepped_ = SteppedRamps(setup_.controller.ramp_step_s);
+    speed_ = 0;
+    has_rounded_ = false;
+}
+
+}  // namespace gsim::motion

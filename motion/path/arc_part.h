@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/path/arc.h"
+
+namespace gsim::motion {
+
+/// The part of an arc between two lengths of its way; none where they are too near to each other for an angle
+/// between them, so that the way is a point.
+inline std::optional<Arc> arc_part(const Arc& arc, double from_mm, double to_mm) {
+    if (!(to_mm > from_mm)) return std::nullopt;
+    const Arc part = arc.part(from_mm, to_mm);
+    if (!(part.sweep_rad > 0)) return std::nullopt;
+    return part;
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,57 @@
+#include "motion/path/chords.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/path/axis_space.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kMostChords = 1e7;
+
+void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controller, int chords,
+                     PathMove& line) {
+    const double asked_s = move.rules.least_duration_s;
+    if (asked_s <= 0) return;
+    line.rules.least_duration_s = 0;
+    // F in 1/min is 60 / asked_s; counted once for each chord it is taken as mm/min.
+    line.rules.programmed_speed_mm_s =
+        controller.inverse_time_of_chords ? chords / asked_s : move.arc.length_mm() / asked_s;
+}
+
+}  // namespace
+
+int chord_count(const Arc& arc, const rrs::ControllerRules& controller) {
+    if (controller.planner != rrs::PlannerKind::klipper)
+        return chord_count(arc, controller.arc_chord_tolerance_mm);
+    return static_cast<int>(
+        std::clamp(std::floor(arc.length_mm() / controller.arc_resolution_mm), 1.0, kMostChords));
+}
+
+int chord_count(const Arc& arc, double tolerance_mm) {
+    const double radius = std::max(arc.radius_mm, tolerance_mm);
+    const double count =
+        std::floor(arc.sweep_rad * radius / 2 / std::sqrt(tolerance_mm * (2 * radius - tolerance_mm)));
+    return static_cast<int>(std::clamp(count, 1.0, kMostChords));
+}
+
+void for_each_chord(const PathMove& move, const PlannerSetup& setup,
+                    const std::function<void(const PathMove&)>& take) {
+    const int count = chord_count(move.arc, setup.controller);
+    PathMove line = move;
+    line.kind = SegmentKind::linear;
+    set_chord_speed(move, setup.controller, count, line);
+    line.share = move.share / count;
+    for (int i = 1; i <= count; ++i) {
+        const double share = static_cast<double>(i) / count;
+        line.end = i == count ? move.end : rrs::JointPos(move.start + share * (move.end - move.start));
+        if (i < count) put_position(setup.position_joints, move.arc.at(share * move.arc.sweep_rad), line.end);
+        line.reaches_target = i == count;
+        take(line);
+        line.start = line.end;
+    }
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "motion/path/axis_space.h"
+#include "motion/planner/plan_error.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
+
+namespace gsim::motion {
+
+/// A conveyor as a planner knows it: it travels along a line at constant speed.
+struct ConveyorMotion {
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< Unit vector of the world.
+    double speed_mm_s = 0;                                 ///< Negative: backwards.
+    double position_mm = 0;                                ///< At at_s.
+    double at_s = 0;
+
+    double position_mm_at(double time_s) const { return position_mm + speed_mm_s * (time_s - at_s); }
+};
+
+/// The frame of a conveyor, in which targets are given while it is tracked. A motion in it becomes one of the
+/// machine by the conveyor's own motion beside it; so the joints have what the conveyor leaves of their
+/// speed.
+class ConveyorFrame {
+  public:
+    /// RRS_MODE_NOT_SUPPORTED where no position joints carry the tool in all directions, RRS_JOINT_LIMIT
+    /// where the conveyor is faster than a joint.
+    static tl::expected<ConveyorFrame, PlanError> of(const PlannerSetup& setup, const AxisSpace* space,
+                                                     const ConveyorMotion& conveyor);
+
+    const ConveyorMotion& conveyor() const { return conveyor_; }
+    /// What the frame adds to joint values at a time.
+    rrs::JointPos shift(double time_s) const;
+    /// The machine, with what is left of its speeds.
+    PlannerSetup setup_within(const PlannerSetup& setup) const;
+    /// Turns a segment planned in the frame into one of the machine.
+    void carry(Segment& segment) const;
+    /// The least way of the joints from rest to the conveyor's motion, or from there to rest; the segment has
+    /// its start already. RRS_JOINT_LIMIT.
+    Planned plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const;
+
+  private:
+    ConveyorFrame(const ConveyorMotion& conveyor, const rrs::JointPos& along)
+        : conveyor_(conveyor), along_(along) {}
+
+    ConveyorMotion conveyor_;
+    rrs::JointPos along_;  ///< Change of joint values by a mm of travel.
+};
+
+}  // namespace gsim::motion

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "controller/services/types.h"
+#include "motion/planner/plan_error.h"
+
+namespace gsim::motion {
+
+/// An object of the cell that is moved from pose to pose: in straight lines at constant speed, and turned
+/// about one axis in proportion to the way (object motion, section 5.3.2 of the thesis). It has a clock of
+/// its own.
+class ObjectMotion {
+  public:
+    struct Step {
+        rrs::Status status = rrs::Status::RRS_SUCCESS;  ///< As GetNextStep answers.
+        rrs::CartPos pose;
+        double elapsed_s = 0;
+    };
+
+    ObjectMotion() : end_(rrs::CartPos::Identity()) {}
+
+    /// Where it is before its next target; its targets are dropped.
+    void stand_at(const rrs::CartPos& pose);
+    /// For the targets that follow, > 0.
+    void set_speed(double speed_mm_s) { speed_mm_s_ = speed_mm_s; }
+    /// The time that the way takes, s. RRS_ZERO_SPEED without a speed, or where the object would turn without
+    /// going anywhere; RRS_QUEUE_FULL.
+    tl::expected<double, PlanError> add_target(const rrs::CartPos& pose);
+    /// Moves on by `step_s`, or to the end of the last way where that comes before.
+    Step step(double step_s);
+
+  private:
+    struct Way {
+        rrs::CartPos from;
+        rrs::CartPos to;
+        double duration_s;
+    };
+
+    std::deque<Way> ways_;
+    double into_s_ = 0;  ///< Time since the first way began.
+    rrs::CartPos end_;   ///< Of the last way.
+    double speed_mm_s_ = 0;
+};
+
+/// The pose at `share` (0 to 1) of the way: positions on a line, orientations about one axis, the short way
+/// round.
+rrs::CartPos pose_between(const rrs::CartPos& from, const rrs::CartPos& to, double share);
+
+}  // namespace gsim::motion

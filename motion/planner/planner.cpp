@@ -1,0 +1,171 @@
+#include "motion/planner/planner.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/klipper/klipper_model.h"
+#include "motion/linuxcnc/linuxcnc_model.h"
+#include "motion/lookahead/look_ahead.h"
+
+namespace gsim::motion {
+
+using rrs::Status;
+
+namespace {
+
+PlannerSetup valid(PlannerSetup setup) {
+    if (auto trouble = setup.validate()) throw std::invalid_argument(*trouble);
+    return setup;
+}
+
+std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput& output) {
+    switch (setup.controller.planner) {
+        case rrs::PlannerKind::look_ahead: return std::make_unique<LookAhead>(setup, output);
+        case rrs::PlannerKind::linuxcnc:
+            return std::make_unique<LinuxcncModel>(setup, setup.controller, output);
+        case rrs::PlannerKind::klipper: return std::make_unique<KlipperModel>(setup, output);
+        case rrs::PlannerKind::rest_to_rest: break;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Planner::Planner(PlannerSetup setup, SegmentSink* sink)
+    : machine_(valid(std::move(setup))),
+      setup_(machine_),
+      sink_(sink),
+      axis_space_(AxisSpace::of(setup_)),
+      queue_(setup_.queue_capacity),
+      position_(rrs::JointPos::Zero(setup_.joint_count())),
+      model_(make_model(setup_, output_)),
+      tool_model_(std::make_unique<LookAhead>(setup_, output_)) {}
+
+void Planner::start_over() {
+    queue_.clear();
+    if (model_) model_->clear();
+    if (ways_ != nullptr) ways_->forget();
+    setup_ = machine_;
+    machine_in_force_.reset();
+    ramps_in_force_.reset();
+    position_.setZero();
+    tool_model_->clear();
+    stopped_.reset();
+    held_.clear();
+    conveyors_.clear();
+    tracked_.reset();
+    conveyor_until_s_ = 0;
+    own_.reset();
+    events_.clear();
+    end_s_ = 0;
+    step_s_ = 0;
+    step_target_ = kNoTarget;
+    waited_s_ = 0;
+    has_position_ = false;
+}
+
+// The models look at setup_; what they hold back keeps the limits that it was given.
+void Planner::use(const MoveTerms& terms) {
+    if (terms.machine == machine_in_force_ && terms.ramps == ramps_in_force_) return;
+    machine_in_force_ = terms.machine;
+    ramps_in_force_ = terms.ramps;
+    setup_ = terms.machine ? *terms.machine : machine_;
+    if (terms.ramps) put_in_force(*terms.ramps, machine_, setup_);
+}
+
+/// What the model leaves out at the end is reached there.
+void Planner::end_model() {
+    if (!model_) return;
+    model_->come_to_rest();
+    held_.all_reached([this](rrs::TargetId id) { events_.reach(id, end_s_); });
+}
+
+void Planner::come_to_rest(bool waits) {
+    end_model();
+    if (!waits || end_s_ == waited_s_) return;
+    const double rest_s = setup_.controller.rest_s;
+    if (rest_s > 0) append_rest(kNoTarget, rest_s);
+    waited_s_ = end_s_;
+}
+
+// LinuxCNC's position loop delays by a period, and smooths over another one.
+void Planner::come_to_last_rest() {
+    come_to_rest();
+    const double delay_s = 2 * setup_.controller.servo_period_s;
+    if (end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);
+}
+
+Segment& Planner::Output::begin(rrs::TargetId id) {
+    Planner& planner = planner_;
+    if (planner.queue_.room() == 0 && planner.sink_ != nullptr && !planner.keeps_all_) planner.emit_front();
+    return planner.begin_segment(planner.queue_.next(), id);
+}
+
+void Planner::Output::finish() {
+    Segment& segment = planner_.queue_.next();
+    if (planner_.own_) planner_.own_->carry(segment);
+    planner_.end_s_ = segment.end_s();
+    planner_.queue_.push();
+    if (!segment.reaches_target) return;
+    const rrs::TargetId id = segment.target_id;
+    planner_.held_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
+}
+
+double Planner::passed_on_s() const {
+    return queue_.empty() ? std::numeric_limits<double>::infinity() : queue_.front().start_s;
+}
+
+void Planner::flush() {
+    if (stopped_) go_on();
+    come_to_rest();
+    while (!queue_.empty()) emit_front();
+}
+
+// The segment leaves the queue before the sink sees it: it stays whole in its slot until a move takes the
+// slot, and leaves only once even if the sink throws.
+void Planner::emit_front() {
+    const Segment& segment = queue_.front();
+    events_.leave(queue_);
+    queue_.pop();
+    step_s_ = std::max(step_s_, segment.end_s());
+    if (sink_ != nullptr) sink_->take(segment);
+}
+
+Planner::Step Planner::step(double interpolation_s) {
+    const double from_s = step_s_;
+    const double known_s = events_.known_until_s(held_, queue_, end_s_).value_or(end_s_);
+    if (from_s + interpolation_s > known_s) come_to_rest();
+    Step step;
+    if (queue_.empty()) step.end = Step::End::at_end;
+    step_s_ = std::min(from_s + interpolation_s, end_s_);
+    events_.step(from_s, step_s_, queue_);
+    step.joints = stopped_ ? stopped_->position : position_at_end();
+    while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
+        step_target_ = queue_.front().target_id;
+        if (queue_.front().reaches_target) step.end = Step::End::target_reached;
+        emit_front();
+    }
+    if (!queue_.empty()) {
+        const Segment& front = queue_.front();
+        step.joints = front.position_at(step_s_ - front.start_s);
+        if (step_s_ > front.start_s) step_target_ = front.target_id;
+    }
+    step.elapsed_s = step_s_ - from_s;
+    return step;
+}
+
+rrs::TargetId Planner::current_target() const {
+    if (!queue_.empty()) return queue_.front().target_id;
+    if (stopped_ && !stopped_->rest.empty()) return stopped_->rest.front().target_id;
+    return held_.first().value_or(kNoTarget);
+}
+
+rrs::JointPos Planner::standing() const {
+    return holds_back() ? model_->standing_at(position_) : position_;
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,158 @@
+#include "motion/profile/s_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/profile/quadratic.h"
+#include "motion/profile/ramp.h"
+
+namespace gsim::motion {
+
+namespace {
+
+// A length that exceeds the direct ramp's by less is taken for it: the caller's rounding, not a wish to speed
+// up.
+constexpr double kSameLength = 1 + 1e-12;
+constexpr int kMaxRootSteps = 60;
+
+// One end of a motion: the speed there, and the limit of the ramp between it and the peak.
+struct End {
+    double speed;
+    double acceleration;
+};
+
+// The fast end and the slow one; the order in time does not matter for lengths.
+struct Ends {
+    End fast;
+    End slow;
+    double jerk;
+
+    double gap() const { return fast.speed - slow.speed; }
+    double direct_length() const { return ramp_length_by(slow.speed, gap(), slow.acceleration, jerk); }
+    /// Of both ramps, if the peak is `excess` above the fast end.
+    double length(double excess) const {
+        return ramp_length_by(fast.speed, excess, fast.acceleration, jerk) +
+               ramp_length_by(slow.speed, gap() + excess, slow.acceleration, jerk);
+    }
+};
+
+double trapezoid_excess(double length, const Ends& ends) {
+    const double slowness = 1 / ends.fast.acceleration + 1 / ends.slow.acceleration;
+    return positive_root(2 * ends.fast.speed, 2 * (length - ends.direct_length()) / slowness);
+}
+
+// Each formula holds in the range of peaks where its ramps have the phases it assumes; they are tried from
+// low peaks to high ones.
+double rest_to_rest_peak(double length, double acceleration, double deceleration, double jerk) {
+    const auto [low, high] = std::minmax(acceleration, deceleration);
+    const double short_root = std::cbrt(length * std::sqrt(jerk) / 2);
+    const double short_peak = short_root * short_root;
+    if (!(short_peak > low * low / jerk)) return short_peak;
+    // One ramp holds its acceleration: the length is (x (x + low / sqrt(jerk)))^2 / (2 low) with x^2 = peak.
+    const double one_root = positive_root(low / std::sqrt(jerk), std::sqrt(2 * low * length));
+    const double one_peak = one_root * one_root;
+    if (!(one_peak > high * high / jerk)) return one_peak;
+    const double slowness = 1 / low + 1 / high;
+    return positive_root((low + high) / jerk / slowness, 2 * length / slowness);
+}
+
+struct LengthAt {
+    double length;
+    double slope;
+};
+
+// The length of the ramp between an end and a peak x^2 above the fast end, and its derivative by x.
+LengthAt length_at(double x, double gap, const End& end, double jerk) {
+    const double change = gap + x * x;
+    const RampPhases ramp = ramp_phases(change, end.acceleration, jerk);
+    const double mean_speed = end.speed + change / 2;
+    // The time of a ramp grows with its change by 1 / (highest acceleration), whatever its phases.
+    return {mean_speed * ramp.duration_s(), x * ramp.duration_s() + 2 * mean_speed * (x / ramp.acceleration)};
+}
+
+// Each ramp alone must fit: bounds of x from above.
+double highest_root(double length, const Ends& ends) {
+    const double by_fast = std::sqrt(
+        ramp_gain(length - ends.direct_length(), ends.fast.speed, ends.fast.acceleration, ends.jerk));
+    const double by_slow = ramp_gain(length, ends.slow.speed, ends.slow.acceleration, ends.jerk) - ends.gap();
+    return by_slow > 0 ? std::min(by_fast, std::sqrt(by_slow)) : by_fast;
+}
+
+// Newton's method for x = sqrt(excess). The length is convex and increasing in x, since each ramp's is a
+// polynomial with positive coefficients in x or in sqrt(gap + x^2), joined with a continuous slope. So the
+// steps come down from above and never pass the root: the first that does not come down is rounding.
+double s_curve_excess(double length, const Ends& ends) {
+    double x = highest_root(length, ends);
+    for (int i = 0; i < kMaxRootSteps && x > 0; ++i) {
+        const LengthAt fast = length_at(x, 0, ends.fast, ends.jerk);
+        const LengthAt slow = length_at(x, ends.gap(), ends.slow, ends.jerk);
+        const double next = x - (fast.length + slow.length - length) / (fast.slope + slow.slope);
+        if (!(next > 0) || (i > 0 && !(next < x))) break;
+        x = next;
+    }
+    return x * x;
+}
+
+// How far above the fast end the speed gets if nothing caps it.
+double excess(double length, const Ends& ends) {
+    if (std::isinf(ends.jerk)) return trapezoid_excess(length, ends);
+    if (ends.fast.speed > 0) return s_curve_excess(length, ends);
+    return rest_to_rest_peak(length, ends.fast.acceleration, ends.slow.acceleration, ends.jerk);
+}
+
+// Up to a peak of at most `cap` and down again.
+SpeedShape peaked_shape(double length, double start, double end, double cap, const LawLimits& limits) {
+    const End first{start, limits.acceleration};
+    const End last{end, limits.deceleration};
+    const bool speeds_up = start <= end;
+    const Ends ends{speeds_up ? last : first, speeds_up ? first : last, limits.jerk};
+    double above = 0;
+    double cruise_length = 0;
+    if (length > ends.direct_length() * kSameLength) {
+        const double allowed = cap - ends.fast.speed;
+        const double both = std::isfinite(allowed) ? ends.length(allowed) : length;
+        cruise_length = std::max(length - both, 0.0);
+        above = cruise_length > 0 ? allowed : std::min(excess(length, ends), allowed);
+    }
+    const double of_slow = ends.gap() + above;
+    return {speeds_up ? of_slow : above, speeds_up ? -above : -of_slow, ends.fast.speed + above,
+            cruise_length};
+}
+
+// How far the first of two braking ramps goes down, where the length is too short to brake to the cap and
+// again to the end, but longer than braking in one. Bisection for sqrt(drop), since lengths are smooth in it.
+double split_drop(double length, double start, double end, double most, const LawLimits& limits) {
+    const auto braking_length = [&](double drop) {
+        return ramp_length_by(start - drop, drop, limits.deceleration, limits.jerk) +
+               ramp_length_by(end, start - end - drop, limits.deceleration, limits.jerk);
+    };
+    double low = 0;
+    double high = std::sqrt(most);
+    for (int i = 0; i < kMaxRootSteps; ++i) {
+        const double middle = (low + high) / 2;
+        (braking_length(middle * middle) < length ? low : high) = middle;
+    }
+    return high * high;
+}
+
+// From a start above the cap: down to the cap, along it, and down to the end.
+SpeedShape braking_shape(double length, double start, double end, double cap, const LawLimits& limits) {
+    const double drop = start - cap;
+    const double rest = length - ramp_length_by(cap, drop, limits.deceleration, limits.jerk) -
+                        ramp_length_by(end, cap - end, limits.deceleration, limits.jerk);
+    if (rest >= 0) return {-drop, end - cap, cap, rest};
+    const double direct = ramp_length_by(end, start - end, limits.deceleration, limits.jerk);
+    if (!(length > direct * kSameLength)) return {0, end - start, start, 0};
+    const double part = split_drop(length, start, end, drop, limits);
+    return {-part, end - start + part, start - part, 0};
+}
+
+}  // namespace
+
+SpeedShape fastest_shape(double length, double start_speed, double end_speed, const LawLimits& limits) {
+    const double cap = std::max(limits.max_speed, end_speed);
+    if (start_speed > cap) return braking_shape(length, start_speed, end_speed, cap, limits);
+    return peaked_shape(length, start_speed, end_speed, cap, limits);
+}
+
+}  // namespace gsim::motion

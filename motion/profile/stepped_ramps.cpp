@@ -1,0 +1,192 @@
+#include "motion/profile/stepped_ramps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kSeconds = 60;
+constexpr float kLeast_mm_min = 1e-3F;  // nothing is driven more slowly
+
+/// `way_mm` in `time_min` from `speed_mm_min` on with one acceleration, or evenly where that would run back.
+LawPiece piece_of(double way_mm, double time_min, double speed_mm_min) {
+    const double time_s = time_min * kSeconds;
+    const double mean_mm_s = way_mm / time_s;
+    const double start_mm_s = speed_mm_min / kSeconds <= 2 * mean_mm_s ? speed_mm_min / kSeconds : mean_mm_s;
+    return {time_s, 0, start_mm_s, 2 * (mean_mm_s - start_mm_s) / time_s, 0};
+}
+
+}  // namespace
+
+float SteppedRamps::mean_acceleration(float speed_mm_min, float acceleration_mm_min2, float jerk_mm_min3) {
+    const float jerk_min = acceleration_mm_min2 / jerk_mm_min3;
+    const float jerk_speed = 0.5F * jerk_mm_min3 * jerk_min * jerk_min;
+    if (0.5F * speed_mm_min > jerk_speed) {
+        return speed_mm_min / (2.0F * (jerk_min + (0.5F * speed_mm_min - jerk_speed) / acceleration_mm_min2));
+    }
+    const double half_min = std::sqrt(static_cast<double>(speed_mm_min / jerk_mm_min3));
+    return static_cast<float>(static_cast<double>(speed_mm_min) / (2.0 * half_min));
+}
+
+double SteppedRamps::mean_acceleration_s(double speed, double acceleration, double jerk) {
+    const double mean = mean_acceleration(static_cast<float>(speed * kSeconds),
+                                          static_cast<float>(acceleration * kSeconds * kSeconds),
+                                          static_cast<float>(jerk * kSeconds * kSeconds * kSeconds));
+    return mean / (kSeconds * kSeconds);
+}
+
+/// Where the ramps begin and end, by the mean acceleration.
+void SteppedRamps::plan(const SteppedBlock& block) {
+    const float way_of_square = 0.5F / block.mean_acceleration_mm_min2;
+    const float entry = block.entry_mm_min * block.entry_mm_min;
+    const float exit = block.exit_mm_min * block.exit_mm_min;
+    const float cruise = block.speed_mm_min * block.speed_mm_min;
+    const float meeting = 0.5F * (block.length_mm + way_of_square * (entry - exit));
+    left_mm_ = block.length_mm;
+    speed_mm_min_ = block.entry_mm_min;
+    phase_ = Phase::up;
+    up_until_mm_ = block.length_mm;
+    falls_short_ = false;
+    if (!(meeting > 0)) {
+        up_until_mm_ = 0;
+        top_mm_min_ = block.exit_mm_min;
+        return;
+    }
+    if (meeting >= block.length_mm) {
+        phase_ = Phase::down;
+        return;
+    }
+    down_from_mm_ = way_of_square * (cruise - exit);
+    if (down_from_mm_ >= meeting) {
+        up_until_mm_ = down_from_mm_ = meeting;
+        top_mm_min_ = std::sqrt(2.0F * block.mean_acceleration_mm_min2 * meeting + exit);
+        return;
+    }
+    top_mm_min_ = block.speed_mm_min;
+    if (entry == cruise) {
+        phase_ = Phase::cruise;
+        return;
+    }
+    up_until_mm_ -= way_of_square * std::abs(cruise - entry);
+    if (entry > cruise) phase_ = up_until_mm_ > down_from_mm_ ? Phase::slow_down : Phase::down;
+}
+
+void SteppedRamps::drive(const SteppedBlock& block, const std::function<void(const SteppedPiece&)>& take) {
+    plan(block);
+    while (left_mm_ > 0) take_step(block, take);
+}
+
+/// One step of time, or less at the end of the block.
+void SteppedRamps::take_step(const SteppedBlock& block,
+                             const std::function<void(const SteppedPiece&)>& take) {
+    const float step_from_mm = left_mm_;
+    float done_min = 0;
+    float time_min = step_min_;
+    do {
+        const float from_mm = left_mm_;
+        const float from_mm_min = speed_mm_min_;
+        const Phase phase = phase_;
+        switch (phase_) {
+            case Phase::slow_down: time_min = slow_down(block, time_min, step_from_mm); break;
+            case Phase::up: time_min = ramp_up(block, time_min, step_from_mm); break;
+            case Phase::cruise: time_min = cruise(time_min); break;
+            case Phase::down: time_min = ramp_down(block, time_min); break;
+        }
+        if (from_mm == left_mm_ && from_mm_min == speed_mm_min_ && phase == phase_)
+            return finish_evenly(block, take);
+        if (time_min > 0 && from_mm > left_mm_) {
+            const bool crawls = falls_short_ && time_min > step_min_;
+            take({piece_of(static_cast<double>(from_mm) - static_cast<double>(left_mm_),
+                           static_cast<double>(time_min), static_cast<double>(from_mm_min)),
+                  crawls});
+        }
+        done_min += time_min;
+        time_min = step_min_ - done_min;
+    } while (time_min > 0 && left_mm_ > 0);
+}
+
+void SteppedRamps::change_acceleration(const SteppedBlock& block, float time_min, bool grows) {
+    const float change = block.jerk_mm_min3 * time_min;
+    acceleration_ = grows ? std::min(acceleration_ + change, block.acceleration_mm_min2)
+                          : std::max(acceleration_ - change, change);
+}
+
+/// What is left is too long for a step of time to count in it, with 32 bits: it is gone in one piece.
+void SteppedRamps::finish_evenly(const SteppedBlock& block,
+                                 const std::function<void(const SteppedPiece&)>& take) {
+    const float speed = std::max({speed_mm_min_, block.exit_mm_min, kLeast_mm_min});
+    take({piece_of(static_cast<double>(left_mm_), static_cast<double>(left_mm_ / speed),
+                   static_cast<double>(speed)),
+          false});
+    left_mm_ = 0;
+}
+
+float SteppedRamps::slow_down(const SteppedBlock& block, float time_min, float step_from_mm) {
+    const float loss = block.mean_acceleration_mm_min2 * time_min;
+    if (speed_mm_min_ - top_mm_min_ > loss) {
+        left_mm_ -= time_min * (speed_mm_min_ - 0.5F * loss);
+        speed_mm_min_ -= loss;
+        return time_min;
+    }
+    left_mm_ = std::min(left_mm_, up_until_mm_);
+    const float last_min = 2.0F * (step_from_mm - left_mm_) / (speed_mm_min_ + top_mm_min_);
+    phase_ = Phase::cruise;
+    speed_mm_min_ = top_mm_min_;
+    return last_min;
+}
+
+float SteppedRamps::ramp_up(const SteppedBlock& block, float time_min, float step_from_mm) {
+    const float fall_min = acceleration_ / block.jerk_mm_min3;
+    const float fall_mm = fall_min * (speed_mm_min_ + (0.5F * acceleration_ * fall_min) +
+                                      (block.jerk_mm_min3 * fall_min * fall_min) / 6.0F);
+    change_acceleration(block, time_min, left_mm_ - up_until_mm_ > fall_mm);
+    const float gain = acceleration_ * time_min;
+    left_mm_ -= time_min * (speed_mm_min_ + 0.5F * gain);
+    if (left_mm_ >= up_until_mm_) {
+        speed_mm_min_ += gain;
+        return time_min;
+    }
+    left_mm_ = up_until_mm_;
+    const float last_min = 2.0F * (step_from_mm - left_mm_) / (speed_mm_min_ + top_mm_min_);
+    phase_ = left_mm_ == down_from_mm_ ? Phase::down : Phase::cruise;
+    speed_mm_min_ = top_mm_min_;
+    acceleration_ = 0;
+    return last_min;
+}
+
+float SteppedRamps::cruise(float time_min) {
+    const float left = left_mm_ - top_mm_min_ * time_min;
+    if (left >= down_from_mm_) {
+        left_mm_ = left;
+        return time_min;
+    }
+    const float last_min = (left_mm_ - down_from_mm_) / top_mm_min_;
+    left_mm_ = down_from_mm_;
+    phase_ = Phase::down;
+    return last_min;
+}
+
+float SteppedRamps::ramp_down(const SteppedBlock& block, float time_min) {
+    const float fall_min = acceleration_ / block.jerk_mm_min3;
+    const float fall_mm_min =
+        block.exit_mm_min + fall_min * (acceleration_ - (0.5F * block.jerk_mm_min3 * fall_min));
+    change_acceleration(block, time_min, speed_mm_min_ > fall_mm_min);
+    const float loss = acceleration_ * time_min;
+    if (speed_mm_min_ > loss) {
+        const float left = left_mm_ - time_min * (speed_mm_min_ - 0.5F * loss);
+        if (left > 0) {
+            left_mm_ = left;
+            speed_mm_min_ -= loss;
+            return time_min;
+        }
+    }
+    const float last_min = 2.0F * left_mm_ / std::max(speed_mm_min_ + block.exit_mm_min, kLeast_mm_min);
+    left_mm_ = 0;
+    speed_mm_min_ = block.exit_mm_min;
+    falls_short_ = true;
+    return last_min;
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,210 @@
+#include "motion/profile/time_law.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "motion/profile/ramp.h"
+
+namespace gsim::motion {
+
+namespace {
+
+LawState state_at(const LawPiece& piece, double t) {
+    return {piece.s0 + t * (piece.v0 + t * (piece.a0 / 2 + t * piece.jerk / 6)),
+            piece.v0 + t * (piece.a0 + t * piece.jerk / 2), piece.a0 + t * piece.jerk};
+}
+
+double peak_speed_of(const LawPiece& piece) {
+    const double ends = std::max(piece.v0, state_at(piece, piece.duration_s).v);
+    const double turn_s = -piece.a0 / piece.jerk;
+    if (!(turn_s > 0 && turn_s < piece.duration_s)) return ends;
+    return std::max(ends, state_at(piece, turn_s).v);
+}
+
+// The cruise speed of a motion from rest to rest in a given time. Newton's method for the lower root of
+// length + speed (time of both ramps) / 2 = speed duration, whose left side is convex: from below, the steps
+// never pass the root, and the first one that gains nothing is rounding.
+double cruise_speed(double length, double duration_s, const LawLimits& limits) {
+    constexpr int kMaxIterations = 60;
+    double speed = length / duration_s;
+    for (int i = 0; i < kMaxIterations; ++i) {
+        double ramps_s = 0;
+        double slope_s = 0;  // of speed (time of both ramps)
+        for (const double acceleration : {limits.acceleration, limits.deceleration}) {
+            const RampPhases ramp = ramp_phases(speed, acceleration, limits.jerk);
+            ramps_s += ramp.duration_s();
+            slope_s += ramp.duration_s();
+            if (ramp.duration_s() > 0) slope_s += speed / ramp.acceleration;
+        }
+        const double missing = length + speed * (ramps_s / 2 - duration_s);
+        const double next = speed + missing / (duration_s - slope_s / 2);
+        if (!(slope_s / 2 < duration_s) || !(next > speed)) break;
+        speed = next;
+    }
+    return speed;
+}
+
+}  // namespace
+
+double TimeLaw::fastest_s(double length, double max_speed, double max_acceleration) {
+    if (length <= 0) return 0;
+    const double ramp_s = max_speed / max_acceleration;
+    if (std::isfinite(max_speed) && max_speed * ramp_s <= length) return length / max_speed + ramp_s;
+    return 2 * std::sqrt(length / max_acceleration);
+}
+
+TimeLaw TimeLaw::fastest(double length, double max_speed, double max_acceleration) {
+    const double duration_s = fastest_s(length, max_speed, max_acceleration);
+    const double top = std::sqrt(length * max_acceleration);  // of the triangle
+    return {length, duration_s, duration_s > 0 ? std::min(top, max_speed) : 0, max_acceleration};
+}
+
+// The cruise speed v solves length = v duration - v^2 / acceleration; this form of the root has no
+// cancellation. Where the root is nearly double (a triangle) rounding may lift v by the square root of an
+// epsilon, but then the length depends on v only in the second order, so holding it to max_speed costs
+// nothing.
+TimeLaw TimeLaw::in_time(double length, double duration_s, double max_acceleration, double max_speed) {
+    if (!(duration_s > 0)) return {length, 0, 0, max_acceleration};
+    const double square = 1 - 4 * length / max_acceleration / (duration_s * duration_s);
+    const double speed = 2 * length / (duration_s * (1 + std::sqrt(std::max(0.0, square))));
+    return {length, duration_s, std::min(speed, max_speed), max_acceleration};
+}
+
+TimeLaw TimeLaw::in_time(double length, double duration_s, const LawLimits& limits) {
+    LawLimits slower = limits;
+    slower.max_speed = std::min(cruise_speed(length, duration_s, limits), limits.max_speed);
+    TimeLaw law = between(length, 0, 0, slower);
+    law.take(duration_s);
+    return law;
+}
+
+TimeLaw::TimeLaw(double length, double duration_s, double cruise_speed, double acceleration)
+    : length_(length), duration_s_(duration_s), peak_speed_(cruise_speed) {
+    double ramp_s = std::min(cruise_speed / acceleration, duration_s / 2);
+    double ramp_acceleration = cruise_speed / ramp_s;
+    if (!std::isfinite(ramp_acceleration)) ramp_s = ramp_acceleration = 0;  // the rectangle
+    const double ramp_length = cruise_speed * ramp_s / 2;
+    add_piece(ramp_s, 0, 0, ramp_acceleration);
+    add_piece(duration_s - 2 * ramp_s, ramp_length, cruise_speed, 0);
+    add_piece(ramp_s, length - ramp_length, cruise_speed, -ramp_acceleration);
+}
+
+TimeLaw TimeLaw::between(double length, double start_speed, double end_speed, const LawLimits& limits) {
+    TimeLaw law;
+    law.start_speed_ = start_speed;
+    law.end_speed_ = end_speed;
+    law.peak_speed_ = std::max(start_speed, end_speed);
+    if (!(length > 0)) return law;
+    law.length_ = length;
+    const SpeedShape shape = fastest_shape(length, start_speed, end_speed, limits);
+    if (!std::isfinite(shape.cruise_speed)) return law;  // nothing is limited
+    law.peak_speed_ = std::max(law.peak_speed_, shape.cruise_speed);
+    double s = 0;
+    law.add_ramp(start_speed, shape.first_change, shape.cruise_speed, limits, s);
+    law.add_piece(shape.cruise_length / shape.cruise_speed, s, shape.cruise_speed, 0);
+    s += shape.cruise_length;
+    law.add_ramp(shape.cruise_speed, shape.second_change, end_speed, limits, s);
+    law.fit_length(s);
+    return law;
+}
+
+TimeLaw TimeLaw::of_pieces(std::span<const LawPiece> pieces) {
+    assert(pieces.size() <= kMaxPieces);
+    TimeLaw law;
+    for (const LawPiece& piece : pieces.first(std::min(pieces.size(), kMaxPieces))) {
+        if (!(piece.duration_s > 0)) continue;
+        law.add_piece(piece.duration_s, piece.s0, piece.v0, piece.a0, piece.jerk);
+        law.start_speed_ = law.pieces_[0].v0;
+        const LawState end = state_at(piece, piece.duration_s);
+        law.duration_s_ += piece.duration_s;
+        law.length_ = end.s;
+        law.end_speed_ = std::max(end.v, 0.0);
+        law.peak_speed_ = std::max(law.peak_speed_, peak_speed_of(piece));
+    }
+    return law;
+}
+
+// From `s` on, which it moves on. Speeds are counted from that end of the ramp which is nearer, so that both
+// are met without rounding.
+void TimeLaw::add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits,
+                       double& s) {
+    const double sign = change < 0 ? -1 : 1;
+    const double limit = change < 0 ? limits.deceleration : limits.acceleration;
+    const RampPhases ramp = ramp_phases(std::abs(change), limit, limits.jerk);
+    const double acceleration = sign * ramp.acceleration;
+    const double jerk = ramp.jerk_s > 0 ? sign * limits.jerk : 0;
+    const double bend = acceleration * ramp.jerk_s / 2;  // change of speed in a phase of jerk
+    add_piece(ramp.jerk_s, s, from_speed, 0, jerk);
+    s += ramp.jerk_s * (from_speed + bend / 3);
+    add_piece(ramp.constant_s, s, from_speed + bend, acceleration);
+    s += ramp.constant_s * (from_speed + bend + acceleration * ramp.constant_s / 2);
+    add_piece(ramp.jerk_s, s, to_speed - bend, acceleration, -jerk);
+    s += ramp.jerk_s * (to_speed - bend / 3);
+}
+
+// Pieces that reach `reached` are made to reach length_ by running time faster or slower, the speeds kept.
+void TimeLaw::fit_length(double reached) {
+    if (!(reached > 0)) {  // not of valid limits and speeds
+        count_ = 0;
+        return;
+    }
+    const double factor = length_ / reached;
+    for (std::size_t i = 0; i < count_; ++i) {
+        LawPiece& piece = pieces_[i];
+        piece.duration_s *= factor;
+        piece.s0 *= factor;
+        piece.a0 /= factor;
+        piece.jerk /= factor * factor;
+        duration_s_ += piece.duration_s;
+    }
+}
+
+// Runs time faster or slower, the length kept.
+void TimeLaw::take(double duration_s) {
+    if (!(duration_s_ > 0)) return;
+    const double factor = duration_s / duration_s_;
+    for (std::size_t i = 0; i < count_; ++i) {
+        LawPiece& piece = pieces_[i];
+        piece.duration_s *= factor;
+        piece.v0 /= factor;
+        piece.a0 /= factor * factor;
+        piece.jerk /= factor * factor * factor;
+    }
+    peak_speed_ /= factor;
+    duration_s_ = duration_s;
+}
+
+bool TimeLaw::jumps() const {
+    constexpr double kSame = 1e-9;  // of the peak speed
+    if (count_ == 0) return start_speed_ != end_speed_;
+    const LawPiece& last = pieces_[count_ - 1];
+    const double start_jump = std::abs(pieces_[0].v0 - start_speed_);
+    const double end_jump = std::abs(state_at(last, last.duration_s).v - end_speed_);
+    return std::max(start_jump, end_jump) > kSame * peak_speed_;
+}
+
+double TimeLaw::peak_acceleration() const {
+    double peak = 0;
+    for (const LawPiece& piece : pieces()) {
+        peak = std::max({peak, std::abs(piece.a0), std::abs(piece.a0 + piece.duration_s * piece.jerk)});
+    }
+    return peak;
+}
+
+LawState TimeLaw::at(double t_s) const {
+    if (count_ == 0) return {length_, end_speed_, 0};
+    double t = t_s;
+    std::size_t index = 0;
+    const bool over = t_s >= duration_s_;
+    while (index + 1 < count_ && (over || t > pieces_[index].duration_s)) t -= pieces_[index++].duration_s;
+    const LawPiece& piece = pieces_[index];
+    // Counted from the end, the last piece comes to rest exactly, however long the others are.
+    if (index + 1 == count_) t = piece.duration_s - (duration_s_ - t_s);
+    t = std::clamp(t, 0.0, piece.duration_s);
+    const LawState state = state_at(piece, t);
+    // A path is never run backwards: a negative speed at the end is rounding.
+    return {over ? length_ : std::clamp(state.s, 0.0, length_), std::max(state.v, 0.0), state.a};
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "motion/profile/s_curve.h"
+
+namespace gsim::motion {
+
+/// Where a motion is on its path at an instant: distance, speed, acceleration along it (mm or rad, s).
+struct LawState {
+    double s = 0;
+    double v = 0;
+    double a = 0;
+};
+
+/// One polynomial piece of a time law: s(t) = s0 + v0 t + a0 t^2/2 + j t^3/6 for t in [0, duration_s].
+struct LawPiece {
+    double duration_s;
+    double s0;
+    double v0;
+    double a0;
+    double jerk;
+};
+
+/// A path length as a function of time, made of polynomial pieces, so that it can be evaluated at any instant
+/// and its duration comes from no sampling. Lengths are mm or rad, as the caller has it.
+class TimeLaw {
+  public:
+    /// The law that stays at 0: length 0, duration 0.
+    TimeLaw() = default;
+
+    /// Rest to rest over `length` >= 0 in the least time: trapezoid, or triangle where `max_speed` is not
+    /// reached. Equal acceleration and deceleration phases (thesis 5.3.2.1). Limits must be > 0; infinite
+    /// acceleration gives the rectangle.
+    static TimeLaw fastest(double length, double max_speed, double max_acceleration);
+
+    /// The duration of fastest(), without the law.
+    static double fastest_s(double length, double max_speed, double max_acceleration);
+
+    /// Rest to rest over `length` in exactly `duration_s`, with ramps of `max_acceleration` and the cruise
+    /// speed that results. `duration_s` must not be less than that of fastest(length, max_speed,
+    /// max_acceleration); a shortfall within rounding is taken as equal. `max_speed` only keeps rounding from
+    /// passing that speed.
+    static TimeLaw in_time(double length, double duration_s, double max_acceleration,
+                           double max_speed = std::numeric_limits<double>::infinity());
+
+    /// Rest to rest over `length` > 0 in exactly `duration_s`, with the ramps of `limits` and the cruise
+    /// speed that results. `duration_s` must not be less than that of between(length, 0, 0, limits); a
+    /// shortfall within rounding is taken as equal.
+    static TimeLaw in_time(double length, double duration_s, const LawLimits& limits);
+
+    /// The least time over `length` >= 0 from start_speed to end_speed, both >= 0, with acceleration 0 at
+    /// both ends where the jerk is finite. A start_speed above max_speed is braked first, with the
+    /// deceleration. The length must suffice for the ramp between both speeds (reachable_speed()). A
+    /// shortfall is made up for by doing that ramp in less time, speeds as they are: one of rounding costs
+    /// the limits no more than rounding. No length takes no time, whatever the speeds.
+    static TimeLaw between(double length, double start_speed, double end_speed, const LawLimits& limits);
+
+    /// The law made of `pieces`, at most kMaxPieces of them. They must begin at s0 = 0, each where the one
+    /// before it ends, and must not run backwards. Pieces without duration are left out.
+    static TimeLaw of_pieces(std::span<const LawPiece> pieces);
+
+    static constexpr std::size_t kMaxPieces =
+        9;  ///< Two jerk-limited ramps, a cruise and a rest at each end.
+
+    double length() const { return length_; }
+    double duration_s() const { return duration_s_; }
+    /// The highest speed of the law.
+    double peak_speed() const { return peak_speed_; }
+    /// The highest acceleration or deceleration of the law, not counting jumps of the speed.
+    double peak_acceleration() const;
+    /// The speeds that the law comes from and goes to. Where nothing limits the acceleration the speed jumps
+    /// at the ends, and at() has the one inside.
+    double start_speed() const { return start_speed_; }
+    double end_speed() const { return end_speed_; }
+    /// Whether the speed jumps at an end, since nothing limits the acceleration.
+    bool jumps() const;
+    std::span<const LawPiece> pieces() const { return {pieces_.data(), count_}; }
+    /// The state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
+    LawState at(double t_s) const;
+
+  private:
+    TimeLaw(double length, double duration_s, double cruise_speed, double acceleration);
+
+    void add_piece(double duration_s, double s0, double v0, double a0, double jerk = 0) {
+        if (duration_s > 0) pieces_[count_++] = {duration_s, s0, v0, a0, jerk};
+    }
+    void add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits, double& s);
+    void fit_length(double reached);
+    void take(double duration_s);
+
+    std::array<LawPiece, kMaxPieces> pieces_;  // only the first count_ hold values
+    std::size_t count_ = 0;
+    double length_ = 0;
+    double duration_s_ = 0;
+    double peak_speed_ = 0;
+    double start_speed_ = 0;
+    double end_speed_ = 0;
+};
+
+}  // namespace gsim::motion

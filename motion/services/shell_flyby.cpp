@@ -1,0 +1,161 @@
+// The services of PlannerShell for corners, exact stops and orientation.
+
+#include <fmt/format.h>
+
+#include "motion/path/lead_path.h"
+#include "motion/path/orientation_path.h"
+#include "motion/services/planner_shell.h"
+
+namespace gsim::motion {
+
+using rrs::PlannerKind;
+using rrs::Status;
+
+namespace {
+
+enum Criterion { kVelocityStep = 1, kJunctionDeviation = 2, kBlendTolerance = 3 };
+enum Accuracy { kNoWait = 0, kSettling = 1 };
+
+rrs::CornerRule rule_of(int criterion) {
+    return criterion == kVelocityStep ? rrs::CornerRule::velocity_step : rrs::CornerRule::junction_deviation;
+}
+
+}  // namespace
+
+/// The machine with another rule, for the targets that follow.
+template <typename Change>
+void PlannerShell::change_machine(const Change& change) {
+    PlannerSetup changed = selections_.terms.machine ? *selections_.terms.machine : planner_.machine();
+    change(changed);
+    selections_.terms.machine = std::make_shared<const PlannerSetup>(std::move(changed));
+    planner_.use(selections_.terms);
+}
+
+Status PlannerShell::check_criterion(int criterion) {
+    if (!initialized_) return not_initialized();
+    if (criterion < kVelocityStep || criterion > kBlendTolerance) {
+        return refuse(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("There is no fly-by criterion {}; 1 is the step of the joints' speeds, 2 the "
+                        "junction deviation, 3 the tolerance of corners.",
+                        criterion));
+    }
+    const rrs::ControllerRules& controller = planner_.machine().controller;
+    const bool blends = controller.planner == PlannerKind::linuxcnc || is_blend(controller.corner);
+    const bool has = criterion == kBlendTolerance ? blends : controller.planner == PlannerKind::look_ahead;
+    if (has) return Status::RRS_SUCCESS;
+    return refuse(Status::RRS_MODE_NOT_SUPPORTED,
+                  fmt::format("This controller does not pass corners by the criterion {}.", criterion));
+}
+
+Status PlannerShell::SelectFlybyCriteria(int criterion) {
+    if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
+    selections_.flyby_criterion = criterion;
+    if (criterion == kBlendTolerance) {
+        selections_.terms.tolerance_mm = selections_.blend_tolerance_mm;
+    }
+    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corner : rule_of(criterion));
+    return Status::RRS_SUCCESS;
+}
+
+Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double value) {
+    if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
+    const bool of_joint = criterion == kVelocityStep;
+    if (joint < -1 || joint >= (of_joint ? planner_.setup().joint_count() : 0)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("The fly-by criterion {} has no value for joint {}.", criterion, joint));
+    }
+    if (!(value >= 0 && value < kUnlimited) || (of_joint && value == 0)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("{} is no value for the fly-by criterion {}.", value, criterion));
+    }
+    if (criterion == kJunctionDeviation)
+        change_machine([&](PlannerSetup& setup) { setup.controller.junction_deviation_mm = value; });
+    if (criterion == kBlendTolerance) {
+        selections_.blend_tolerance_mm = value;
+        if (selections_.flyby_criterion == criterion) selections_.terms.tolerance_mm = value;
+    }
+    if (!of_joint) return Status::RRS_SUCCESS;
+    change_machine([&](PlannerSetup& setup) {
+        for (int i = 0; i < setup.joint_count(); ++i) {
+            if (joint == -1 || joint == i) setup.joints[static_cast<std::size_t>(i)].max_speed_step = value;
+        }
+    });
+    return Status::RRS_SUCCESS;
+}
+
+void PlannerShell::set_corner_rule(rrs::CornerRule rule) {
+    change_machine([&](PlannerSetup& setup) { setup.controller.corner = rule; });
+}
+
+Status PlannerShell::CancelFlybyCriteria(int criterion) {
+    if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
+    if (selections_.flyby_criterion != criterion) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("The fly-by criterion {} is not in force.", criterion));
+    }
+    selections_.flyby_criterion = 0;
+    if (criterion == kBlendTolerance) selections_.terms.tolerance_mm = 0;
+    set_corner_rule(planner_.machine().controller.corner);
+    return Status::RRS_SUCCESS;
+}
+
+Status PlannerShell::check_accuracy(int accuracy_type) {
+    if (!initialized_) return not_initialized();
+    if (accuracy_type != kNoWait && accuracy_type != kSettling) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("There is no point accuracy {}; 0 is an exact stop, 1 one that waits until "
+                                  "the axes are in position.",
+                                  accuracy_type));
+    }
+    if (accuracy_type == kNoWait || planner_.setup().controller.planner == PlannerKind::look_ahead)
+        return Status::RRS_SUCCESS;
+    return refuse(Status::RRS_MODE_NOT_SUPPORTED,
+                  "This controller does not wait at exact stops; a dwell does (SetRestParameter).");
+}
+
+Status PlannerShell::SelectPointAccuracy(int accuracy_type) {
+    if (const Status status = check_accuracy(accuracy_type); status != Status::RRS_SUCCESS) return status;
+    selections_.settles = accuracy_type == kSettling;
+    const bool waits = accuracy_type == kSettling;
+    const rrs::ControllerRules& own = planner_.machine().controller;
+    change_machine([&](PlannerSetup& setup) {
+        setup.controller.settle_s = waits ? selections_.settle_s.value_or(own.settle_s) : 0;
+        setup.controller.in_position_mm = waits ? own.in_position_mm : kUnlimited;
+        setup.controller.in_position_deg = waits ? own.in_position_deg : kUnlimited;
+    });
+    return Status::RRS_SUCCESS;
+}
+
+Status PlannerShell::SetPointAccuracyParameter(int accuracy_type, double value) {
+    if (const Status status = check_accuracy(accuracy_type); status != Status::RRS_SUCCESS) return status;
+    if (accuracy_type != kSettling || !(value >= 0 && value <= kLongest_s)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("{} is no value for the point accuracy {}; 1 has a time from 0 to {} s.",
+                                  value, accuracy_type, kLongest_s));
+    }
+    selections_.settle_s = value;
+    if (selections_.settles) change_machine([&](PlannerSetup& setup) { setup.controller.settle_s = value; });
+    return Status::RRS_SUCCESS;
+}
+
+Status PlannerShell::SelectOrientationInterpolationMode(int mode) {
+    if (!initialized_) return not_initialized();
+    if (mode != 0 && mode != 1) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("There is no mode {} of orientation; 0 is by the joint angles, 1 along the "
+                                  "great circle.",
+                                  mode));
+    }
+    if (mode == 1) {
+        if (auto obstacle = no_great_circles(planner_.setup()))
+            return refuse(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
+    }
+    change_machine([&](PlannerSetup& setup) {
+        setup.controller.orientation =
+            mode == 1 ? rrs::OrientationRule::great_circle : rrs::OrientationRule::joints;
+    });
+    return Status::RRS_SUCCESS;
+}
+
+}  // namespace gsim::motion

@@ -1,9 +1,0 @@
-#include "runtime/motion/move.h"
-
-namespace gsim::motion {
-
-rrs::CartPos PoseGoal::tool_centre() const {
-    return pose * tool.inverse();
-}
-
-}  // namespace gsim::motion
