@@ -16,7 +16,7 @@
 #include "calibrate/geometry/geometry_outcome.h"
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {
 

@@ -12,7 +12,7 @@
 #include "calibrate/command.h"
 #include "calibrate/servo/servo_fit.h"
 #include "calibrate/servo/servo_record.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {
 

@@ -14,8 +14,8 @@
 #include "calibrate/command.h"
 #include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
-#include "runtime/machine/machine_file.h"
-#include "runtime/machine/torque_limit.h"
+#include "machine/file/machine_file.h"
+#include "machine/model/torque_limit.h"
 
 namespace gsim::calibrate {
 

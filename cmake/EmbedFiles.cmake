@@ -1,7 +1,7 @@
 # gsim_embed(TARGET STEM FILES...): compiles files into a library, byte for byte.
 #
 # Generates STEM.h and STEM.cpp in the build folder (include as "STEM.h") and adds them to TARGET. With STEM
-# runtime/machine/embedded_machines the header declares, in namespace gsim::embedded,
+# machine/embedded_machines the header declares, in namespace gsim::embedded,
 #     std::span<const std::pair<std::string_view, std::string_view>> embedded_machines();  // names and texts
 #     std::string_view embedded_machines(std::string_view name);  // data() is null if there is no such file
 # A file's name is that without folders. They are generated again whenever a file changes.

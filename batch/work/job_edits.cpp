@@ -8,7 +8,7 @@
 #include "batch/work/edits.h"
 #include "batch/work/run_options.h"
 #include "engine/machine.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::batch {
 

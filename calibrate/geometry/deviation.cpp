@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "machine/model/frame_pose.h"
 #include "motion/kinematics/chain.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/machine/frame_pose.h"
 
 namespace gsim::calibrate {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 
 namespace gsim::calibrate {
 

@@ -7,7 +7,7 @@
 
 #include "base/text/json.h"
 #include "calibrate/text/svg_head.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {
 

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 
 namespace gsim::calibrate {
 

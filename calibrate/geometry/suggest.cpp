@@ -9,7 +9,7 @@
 
 #include "calibrate/geometry/identify.h"
 #include "calibrate/geometry/tip_errors.h"
-#include "runtime/machine/joint_box.h"
+#include "machine/model/joint_box.h"
 
 namespace gsim::calibrate {
 

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "calibrate/servo/servo_record.h"
-#include "runtime/machine/servo_table.h"
+#include "machine/model/servo_table.h"
 
 namespace gsim::calibrate {
 

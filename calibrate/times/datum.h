@@ -6,7 +6,7 @@
 
 #include "calibrate/times/passages.h"
 #include "calibrate/times/recorded_run.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/motion_log.h"
 #include "runtime/simulation/motion_replay.h"
 

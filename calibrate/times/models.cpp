@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/machine/figure.h"
-#include "runtime/machine/times_section.h"
+#include "machine/file/times_section.h"
+#include "machine/model/figure.h"
 
 namespace gsim::calibrate {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "calibrate/times/parameter.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 
 namespace gsim::calibrate {
 

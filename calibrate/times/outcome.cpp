@@ -11,7 +11,7 @@
 #include "base/text/json.h"
 #include "base/text/xml_text.h"
 #include "calibrate/text/svg_head.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {
 

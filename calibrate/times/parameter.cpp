@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/machine/times_section.h"
+#include "machine/file/times_section.h"
 
 namespace gsim::calibrate {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "runtime/machine/figure.h"
+#include "machine/model/figure.h"
 
 namespace gsim::calibrate {
 

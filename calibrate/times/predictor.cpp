@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "engine/run.h"
-#include "runtime/machine/machine_file.h"
-#include "runtime/machine/times_section.h"
+#include "machine/file/machine_file.h"
+#include "machine/file/times_section.h"
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
 

@@ -9,7 +9,7 @@
 
 #include "calibrate/times/datum.h"
 #include "calibrate/times/recorded_run.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/motion_log.h"
 
 namespace gsim::calibrate {

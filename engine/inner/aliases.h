@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "lexer/alias.h"
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 
 namespace gsim::engine {
 

@@ -10,8 +10,8 @@
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/values.h"
-#include "runtime/import/import_machine.h"
-#include "runtime/import/linuxcnc_tables.h"
+#include "machine/import/import_machine.h"
+#include "machine/import/linuxcnc_tables.h"
 
 namespace gsim::engine {
 

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "base/text/json.h"
-#include "runtime/machine/machine_data_document.h"
+#include "machine/data/machine_data_document.h"
 
 namespace gsim::engine {
 

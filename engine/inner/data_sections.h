@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/machine_data.h"
-#include "runtime/machine/machine_data_sections.h"
+#include "machine/data/machine_data_sections.h"
 
 namespace gsim::engine {
 

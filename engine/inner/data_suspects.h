@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/machine_data_document.h"
+#include "machine/data/machine_data_document.h"
 
 namespace gsim::engine {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/machine/machine_data_row.h"
+#include "machine/data/machine_data_row.h"
 
 namespace gsim::engine {
 

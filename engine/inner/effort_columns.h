@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "engine/columns.h"
+#include "machine/model/machine.h"
 #include "motion/dynamics/dynamics.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::engine {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/text/json.h"
+#include "machine/schema/key_guide.h"
 #include "runtime/cell/cell_guide.h"
-#include "runtime/machine/key_guide.h"
 
 namespace gsim::engine {
 

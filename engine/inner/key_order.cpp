@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "machine/schema/key_guide.h"
 #include "runtime/cell/cell_guide.h"
-#include "runtime/machine/key_guide.h"
 
 namespace gsim::engine {
 

@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/inner/script_input.h"
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 
 namespace gsim::engine {
 

@@ -12,12 +12,12 @@
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/values.h"
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 #include "runtime/check/machine_check.h"
 #include "runtime/envelope/outline_files.h"
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
-#include "runtime/machine/machine_file.h"
 
 namespace gsim::engine {
 

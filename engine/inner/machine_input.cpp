@@ -5,8 +5,8 @@
 #include "base/os/files.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/process_words.h"
-#include "runtime/import/import_machine.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
+#include "machine/import/import_machine.h"
 
 namespace gsim::engine {
 

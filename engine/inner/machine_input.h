@@ -8,8 +8,8 @@
 
 #include "base/os/input_file.h"
 #include "engine/host.h"
-#include "runtime/machine/machine.h"
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
+#include "machine/model/machine.h"
 
 namespace gsim::engine {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/inner/values.h"
+#include "machine/model/machine.h"
 #include "motion/dynamics/law_ends.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::engine {
 

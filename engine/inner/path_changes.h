@@ -6,8 +6,8 @@
 
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
-#include "runtime/machine/machine.h"
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
+#include "machine/model/machine.h"
 #include "runtime/path/place.h"
 
 namespace gsim::engine {

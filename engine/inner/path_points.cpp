@@ -6,7 +6,7 @@
 
 #include "base/text/format.h"
 #include "base/text/letter_case.h"
-#include "runtime/machine/homes.h"
+#include "machine/model/homes.h"
 
 namespace gsim::engine {
 

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "codegen/post/post.h"
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 #include "runtime/path/place.h"
 
 namespace gsim::engine {

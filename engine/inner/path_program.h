@@ -12,7 +12,7 @@
 #include "codegen/post/post.h"
 #include "engine/inner/path_frames.h"
 #include "engine/path_translation.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/path/axis_moves.h"
 #include "runtime/path/place.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text/letter_case.h"
-#include "runtime/machine/machine_data_words.h"
+#include "machine/data/machine_data_words.h"
 
 namespace gsim::engine {
 

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/probe.h"
 
 namespace gsim::engine {

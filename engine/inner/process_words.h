@@ -4,7 +4,7 @@
 #include <string>
 
 #include "grammar/dialect.h"
-#include "runtime/machine/process.h"
+#include "machine/model/process.h"
 
 namespace gsim::engine {
 

@@ -11,7 +11,7 @@
 #include "engine/inner/run_cell.h"
 #include "engine/inner/script_input.h"
 #include "engine/request.h"
-#include "runtime/machine/machine_data_document.h"
+#include "machine/data/machine_data_document.h"
 #include "runtime/script/script.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/probe.h"

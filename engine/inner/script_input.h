@@ -14,7 +14,7 @@
 #include "codegen/translate.h"
 #include "engine/request.h"
 #include "lexer/source.h"
-#include "runtime/machine/program_table.h"
+#include "machine/model/program_table.h"
 #include "runtime/script/script.h"
 
 namespace gsim::engine {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/columns.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::engine {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/motion.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::engine {

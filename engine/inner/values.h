@@ -8,7 +8,7 @@
 #include "engine/inner/script_input.h"
 #include "engine/motion.h"
 #include "engine/report.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/robots_report.h"
 
 namespace gsim::engine {

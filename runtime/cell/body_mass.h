@@ -5,8 +5,8 @@
 #include <tl/expected.hpp>
 
 #include "geometry/mesh/mesh_file.h"
+#include "machine/model/link_shape.h"
 #include "motion/dynamics/rigid_body.h"
-#include "runtime/machine/link_shape.h"
 
 namespace gsim::cell {
 

@@ -7,11 +7,11 @@
 
 #include "base/text/format.h"
 #include "base/toml/toml_section.h"
+#include "machine/file/frame_section.h"
+#include "machine/file/shape_section.h"
+#include "machine/model/frame_pose.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/cell/meeting_pairs.h"
-#include "runtime/machine/frame_pose.h"
-#include "runtime/machine/frame_section.h"
-#include "runtime/machine/shape_section.h"
 
 namespace gsim::cell {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "runtime/machine/key_guide.h"
+#include "machine/schema/key_guide.h"
 
 namespace gsim::cell {
 

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "runtime/cell/link_frames.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::cell {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "machine/model/joint_box.h"
 #include "runtime/cell/meeting_pairs.h"
-#include "runtime/machine/joint_box.h"
 
 namespace gsim::cell {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/machine/frame_pose.h"
+#include "machine/model/frame_pose.h"
 
 namespace gsim::cell {
 

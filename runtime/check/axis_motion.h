@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 
 namespace gsim::check {
 

@@ -3,8 +3,8 @@
 #include "base/text/json.h"
 #include "base/text/json_text.h"
 #include "base/units.h"
+#include "machine/model/group_motion.h"
 #include "runtime/check/machine_check.h"
-#include "runtime/machine/group_motion.h"
 
 namespace gsim::check {
 

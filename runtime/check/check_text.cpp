@@ -6,8 +6,8 @@
 #include "base/text/format.h"
 #include "base/text/number.h"
 #include "base/units.h"
+#include "machine/model/group_motion.h"
 #include "runtime/check/machine_check.h"
-#include "runtime/machine/group_motion.h"
 
 namespace gsim::check {
 

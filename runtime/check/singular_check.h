@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "runtime/machine/joint_box.h"
+#include "machine/model/joint_box.h"
 
 namespace gsim::check {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/joint_box.h"
+#include "machine/model/joint_box.h"
 
 namespace gsim::envelope {
 

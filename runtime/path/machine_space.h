@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/path/path.h"
 
 namespace gsim::path {

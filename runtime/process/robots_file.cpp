@@ -5,9 +5,9 @@
 
 #include "base/os/input_file.h"
 #include "base/toml/toml_section.h"
-#include "runtime/machine/frame_pose.h"
-#include "runtime/machine/frame_section.h"
-#include "runtime/machine/shape_section.h"
+#include "machine/file/frame_section.h"
+#include "machine/file/shape_section.h"
+#include "machine/model/frame_pose.h"
 
 namespace gsim::process {
 

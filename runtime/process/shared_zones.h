@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "controller/services/types.h"
-#include "runtime/machine/link_shape.h"
+#include "machine/model/link_shape.h"
 #include "runtime/process/schedule.h"
 #include "runtime/simulation/report.h"
 

@@ -9,11 +9,11 @@
 
 #include "base/toml/toml_text.h"
 #include "controller/module/rcs_values.h"
+#include "machine/file/controller_file.h"
+#include "machine/schema/controller_keys.h"
 #include "motion/kinematics/chain_kinematics.h"
 #include "motion/kinematics/gantry.h"
 #include "motion/kinematics/numeric.h"
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/controller_keys.h"
 
 namespace gsim::rcs {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/path/path.h"
 #include "runtime/simulation/commands.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "runtime/machine/homes.h"
+#include "machine/model/homes.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/data_tables.h"
 #include "runtime/script/lua_state.h"

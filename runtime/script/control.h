@@ -8,7 +8,7 @@
 #include <lua.hpp>
 #include <tl/expected.hpp>
 
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 #include "runtime/script/interpreter.h"
 #include "runtime/script/library.h"
 #include "runtime/script/script.h"

@@ -2,7 +2,7 @@
 
 #include <lua.hpp>
 
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 
 namespace gsim::script {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 #include "runtime/script/control.h"
 #include "runtime/script/library.h"
 #include "runtime/script/lua_state.h"

@@ -9,7 +9,7 @@
 
 #include "base/text/format.h"
 #include "base/text/nearest_name.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/choice.h"
 #include "runtime/script/group_table.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "machine/model/machine.h"
 #include "motion/planner/planner.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/motion_observer.h"
 
 namespace gsim::simulation {

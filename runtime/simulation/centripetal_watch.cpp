@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/machine/torque_limit.h"
+#include "machine/model/torque_limit.h"
 
 namespace gsim::simulation {
 

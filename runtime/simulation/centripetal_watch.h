@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::simulation {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "motion/planner/planner_setup.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/part_tip.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/text_stream.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "motion/dynamics/segment_efforts.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/effort_report.h"
 #include "runtime/simulation/exact_sum.h"
 #include "runtime/simulation/run_output.h"

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "motion/planner/planner_setup.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::simulation {
 

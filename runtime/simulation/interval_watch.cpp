@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/machine/figure.h"
-#include "runtime/machine/torque_limit.h"
+#include "machine/model/figure.h"
+#include "machine/model/torque_limit.h"
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
 #include "runtime/simulation/time_alone.h"

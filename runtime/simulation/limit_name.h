@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "machine/model/machine.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::simulation {
 

@@ -6,9 +6,9 @@
 #include <tl/expected.hpp>
 
 #include "geometry/mesh/mesh_file.h"
+#include "machine/model/machine.h"
 #include "motion/dynamics/dynamics.h"
 #include "motion/planner/move_limits.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::simulation {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/machine/times_section.h"
+#include "machine/file/times_section.h"
 
 namespace gsim::simulation {
 

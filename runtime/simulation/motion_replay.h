@@ -5,8 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "machine/model/machine.h"
 #include "motion/planner/planner.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/motion_log.h"
 
 namespace gsim::simulation {

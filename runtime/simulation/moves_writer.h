@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/text_stream.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
-#include "runtime/machine/torque_limit.h"
+#include "machine/model/torque_limit.h"
 
 namespace gsim::simulation {
 

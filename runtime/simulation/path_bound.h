@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "machine/model/machine.h"
 #include "motion/planner/time_bound.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/exact_sum.h"
 #include "runtime/simulation/run_output.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "motion/dynamics/segment_efforts.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/path_thinner.h"
 #include "runtime/simulation/run_output.h"

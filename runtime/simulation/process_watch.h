@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
 

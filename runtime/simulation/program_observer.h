@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/commands.h"
 #include "runtime/simulation/report.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "machine/model/machine.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/exact_sum.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/report.h"

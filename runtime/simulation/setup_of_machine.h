@@ -1,7 +1,7 @@
 #pragma once
 
+#include "machine/model/machine.h"
 #include "motion/planner/planner_setup.h"
-#include "runtime/machine/machine.h"
 
 namespace gsim::simulation {
 

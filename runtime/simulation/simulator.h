@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "controller/module/rcs_host.h"
+#include "machine/model/machine.h"
 #include "motion/path/axis_space.h"
 #include "motion/planner/planner_setup.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/commands.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::simulation {

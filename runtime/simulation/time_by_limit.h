@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "runtime/simulation/exact_sum.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "machine/model/machine.h"
 #include "motion/dynamics/segment_efforts.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/sampler.h"
 #include "runtime/simulation/text_stream.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "machine/data/machine_data.h"
+#include "machine/model/machine.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine.h"
-#include "runtime/machine/machine_data.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/zone_box.h"
 

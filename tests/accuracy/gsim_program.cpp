@@ -12,7 +12,7 @@
 #include "base/os/child_process.h"
 #include "base/os/file_handle.h"
 #include "base/text/json.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::accuracy {
 

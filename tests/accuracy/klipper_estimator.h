@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "tests/accuracy/programmed_move.h"
 
 namespace gsim::accuracy {

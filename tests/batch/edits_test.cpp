@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::batch::edits_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/squareness.h"
 #include "calibrate/geometry/suggest.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::calibrate::geometry_closed_form_test {

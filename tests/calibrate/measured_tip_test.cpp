@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/geometry/suggest.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::calibrate::measured_tip_test {

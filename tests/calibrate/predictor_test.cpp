@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/run.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate::predictor_test {
 namespace {

@@ -15,7 +15,7 @@
 #include "calibrate/times/fit.h"
 #include "calibrate/times/outcome.h"
 #include "engine/run.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::calibrate::times_test {
 namespace {

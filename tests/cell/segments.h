@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "machine/file/machine_file.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine_file.h"
 
 namespace gsim::cell {
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/model/joint_box.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/cell/meeting_pairs.h"
-#include "runtime/machine/joint_box.h"
 #include "tests/build_files/build_files.h"
 #include "tests/cell/segments.h"
 

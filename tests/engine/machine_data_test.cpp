@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
-#include "runtime/machine/machine_data_sections.h"
+#include "machine/data/machine_data_sections.h"
 #include "tests/build_files/build_files.h"
 #include "tests/engine/given.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::envelope::tip_chain_test {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/file/machine_file.h"
 #include "runtime/envelope/stl.h"
-#include "runtime/machine/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/envelope/chains.h"
 

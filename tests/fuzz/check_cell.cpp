@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/inner/override_changes.h"
+#include "machine/file/machine_file.h"
 #include "runtime/cell/cell_file.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/process/robots_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"

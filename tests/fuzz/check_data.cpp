@@ -3,8 +3,8 @@
 #include "engine/inner/aliases.h"
 #include "engine/inner/data_json.h"
 #include "engine/inner/variables_text.h"
-#include "runtime/machine/machine_data_document.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/data/machine_data_document.h"
+#include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "runtime/import/grbl_dump.h"
-#include "runtime/import/import_machine.h"
-#include "runtime/import/linuxcnc_ini.h"
-#include "runtime/import/linuxcnc_tables.h"
-#include "runtime/machine/machine_data_document.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/data/machine_data_document.h"
+#include "machine/file/machine_file.h"
+#include "machine/import/grbl_dump.h"
+#include "machine/import/import_machine.h"
+#include "machine/import/linuxcnc_ini.h"
+#include "machine/import/linuxcnc_tables.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/small_run.h"

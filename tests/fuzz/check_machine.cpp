@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "base/toml/toml_text.h"
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/controller_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/small_run.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "controller/module/rcs_shell.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"

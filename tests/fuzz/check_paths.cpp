@@ -7,7 +7,7 @@
 #include "engine/inner/path_frames.h"
 #include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"
 #include "runtime/script/path_script.h"

@@ -7,7 +7,7 @@
 #include "calibrate/servo/servo_record.h"
 #include "calibrate/times/motion_record.h"
 #include "calibrate/times/recorded_run.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 

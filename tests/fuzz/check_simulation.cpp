@@ -2,7 +2,7 @@
 
 #include "codegen/lua_spool.h"
 #include "codegen/translate.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/small_run.h"
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "controller/module/rcs_host.h"
+#include "machine/model/machine.h"
 #include "motion/planner/override_schedule.h"
 #include "runtime/cell/cell.h"
-#include "runtime/machine/machine.h"
 #include "runtime/simulation/report.h"
 #include "tests/fuzz/target.h"
 

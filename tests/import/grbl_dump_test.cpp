@@ -1,12 +1,12 @@
 // What grbl answers to $$ and $# as a machine.
 
-#include "runtime/import/grbl_dump.h"
+#include "machine/import/grbl_dump.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/import/import_machine.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
+#include "machine/import/import_machine.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::import::grbl_dump_test {

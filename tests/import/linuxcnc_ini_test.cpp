@@ -1,6 +1,6 @@
 // INI files of LinuxCNC as machines.
 
-#include "runtime/import/linuxcnc_ini.h"
+#include "machine/import/linuxcnc_ini.h"
 
 #include <filesystem>
 #include <fstream>
@@ -12,9 +12,9 @@
 #include <unistd.h>
 
 #include "base/os/input_file.h"
-#include "runtime/import/import_machine.h"
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/controller_file.h"
+#include "machine/file/machine_file.h"
+#include "machine/import/import_machine.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::import::linuxcnc_ini_test {

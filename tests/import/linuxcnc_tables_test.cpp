@@ -1,6 +1,6 @@
 // LinuxCNC's files of parameters and tools as machine data.
 
-#include "runtime/import/linuxcnc_tables.h"
+#include "machine/import/linuxcnc_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 

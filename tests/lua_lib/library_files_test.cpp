@@ -7,7 +7,7 @@
 
 #include "codegen/translate.h"
 #include "grammar/dialect.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/library_folder.h"
 

@@ -4,7 +4,7 @@
 
 #include "codegen/translate.h"
 #include "engine/inner/word_table.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::script {
 

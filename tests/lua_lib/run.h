@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/probe.h"
 #include "runtime/simulation/report.h"

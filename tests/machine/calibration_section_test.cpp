@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/figure.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
+#include "machine/model/figure.h"
 
 namespace gsim::machine::calibration_section_test {
 namespace {

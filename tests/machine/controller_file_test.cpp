@@ -1,4 +1,4 @@
-#include "runtime/machine/controller_file.h"
+#include "machine/file/controller_file.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text/format.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::machine::controller_file_test {
 namespace {

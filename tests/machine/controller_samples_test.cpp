@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "base/os/input_file.h"
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/controller_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::machine::controller_samples_test {

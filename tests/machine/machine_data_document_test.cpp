@@ -1,10 +1,10 @@
 // A document gives back the bytes it was read from, and a change touches its own line alone.
-#include "runtime/machine/machine_data_document.h"
+#include "machine/data/machine_data_document.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::machine::machine_data_document_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_data_document.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/data/machine_data_document.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::machine::machine_data_random_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/machine/machine_data.h"
+#include "machine/data/machine_data.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::machine::machine_data_test {
 namespace {

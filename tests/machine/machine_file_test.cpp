@@ -1,4 +1,4 @@
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 
 #include <limits>
 #include <numbers>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::machine::machine_test {

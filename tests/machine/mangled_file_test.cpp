@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/os/input_file.h"
-#include "runtime/machine/machine_data.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/data/machine_data.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/support/mangled_text.h"
 

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/chain.h"
-#include "runtime/machine/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/kinematics/kdl_chain.h"
 #include "tests/kinematics/random_pose.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 
 namespace gsim::machine::times_section_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/path/merged_lines.h"
 #include "tests/build_files/build_files.h"
 

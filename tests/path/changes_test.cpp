@@ -9,8 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/json_reader.h"
 #include "tests/build_files/build_files.h"

@@ -8,7 +8,7 @@
 
 #include "codegen/post/post_file.h"
 #include "engine/inner/path_program.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/way.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/path/axis_moves.h"
 
 namespace gsim::path::rotary_plan_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/path/axis_moves.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"

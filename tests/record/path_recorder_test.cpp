@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/simulator.h"

@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"

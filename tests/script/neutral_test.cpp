@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/machine/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/machine/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/simulation/machine_dynamics.h"
 #include "runtime/simulation/simulator.h"
 #include "runtime/simulation/trajectory_writer.h"

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/file/controller_file.h"
 #include "motion/kinematics/chain.h"
-#include "runtime/machine/controller_file.h"
 #include "runtime/simulation/machine_dynamics.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/random_program.h"

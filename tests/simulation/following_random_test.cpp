@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/controller_file.h"
+#include "machine/file/controller_file.h"
 #include "runtime/simulation/following_watch.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/fed_lines.h"

@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/controller_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/simulation/plot_data.h"
 #include "runtime/simulation/plot_script.h"
 #include "runtime/simulation/simulator.h"

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation::interval_watch_test {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/controller_file.h"
+#include "machine/file/controller_file.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"

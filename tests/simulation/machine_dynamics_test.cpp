@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::simulation::machine_dynamics_test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "machine/file/machine_file.h"
+#include "machine/model/machine.h"
 #include "motion/segment/segment.h"
-#include "runtime/machine/machine.h"
-#include "runtime/machine/machine_file.h"
 
 namespace gsim::simulation {
 

@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 #include "motion/path/tool_path.h"
 #include "motion/services/default_planner.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"
 

@@ -1,5 +1,5 @@
 // Accelerations that the peaks of the motors allow, against closed forms and the efforts of finished runs.
-#include "runtime/machine/torque_limit.h"
+#include "machine/model/torque_limit.h"
 
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "runtime/machine/controller_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/controller_file.h"
+#include "machine/file/machine_file.h"
 #include "runtime/simulation/machine_dynamics.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/random_program.h"

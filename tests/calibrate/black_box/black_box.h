@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "calibrate/times/choice.h"
-#include "runtime/machine/machine.h"
+#include "machine/model/machine.h"
 #include "tests/accuracy/recording.h"
 
 namespace gsim::calibrate {

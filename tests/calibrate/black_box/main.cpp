@@ -14,7 +14,7 @@
 
 #include "apps/parse.h"
 #include "base/os/output_file.h"
-#include "runtime/machine/machine_file.h"
+#include "machine/file/machine_file.h"
 #include "tests/accuracy/controller.h"
 #include "tests/calibrate/black_box/black_box.h"
 #include "tests/conformance/scratch_folder.h"

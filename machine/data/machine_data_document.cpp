@@ -1,0 +1,150 @@
+#include "machine/data/machine_data_document.h"
+
+#include <fmt/format.h>
+
+namespace gsim::machine {
+
+namespace {
+
+constexpr std::string_view kEmptyFile = "NCFILE\nENDFILE\n";
+
+std::string joined(const std::vector<DataLine>& lines) {
+    std::string text;
+    for (const DataLine& line : lines) text += line.text + line.end;
+    return text;
+}
+
+std::string no_entry(DataSection section, std::string_view id) {
+    return fmt::format("there is no {} {} in the file", keyword(section), shown_word(id));
+}
+
+// The sentence of "x:line:column: sentence"; lines of a change that was refused are none that anybody sees.
+std::string sentence_of(const std::string& error) {
+    return error.substr(error.find(": ") + 2);
+}
+
+}  // namespace
+
+MachineDataDocument::MachineDataDocument(std::span<const Axis> axes)
+    : rules_(axes), lines_(read_data_lines(kEmptyFile, "", rules_)->lines) {}
+
+tl::expected<MachineDataDocument, std::vector<std::string>> MachineDataDocument::read(
+    std::string_view text, std::string_view file_name, std::span<const Axis> axes) {
+    MachineDataDocument document(axes);
+    auto read = read_data_lines(text, file_name, document.rules_);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    document.lines_ = std::move(read->lines);
+    document.data_ = std::move(read->data);
+    return document;
+}
+
+std::string MachineDataDocument::text() const {
+    return joined(lines_);
+}
+
+std::vector<DataRow> MachineDataDocument::rows(DataSection section) const {
+    std::vector<DataRow> rows;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (lines_[i].kind == DataLine::Kind::entry && lines_[i].section == section)
+            rows.push_back(row_at(i).row);
+    }
+    return rows;
+}
+
+std::optional<DataRow> MachineDataDocument::find(DataSection section, std::string_view id) const {
+    const auto line = line_of(section, id);
+    if (!line) return std::nullopt;
+    return row_at(*line).row;
+}
+
+MachineDataDocument::Place MachineDataDocument::place(DataSection section, std::string_view id,
+                                                      std::optional<std::size_t> field) const {
+    const std::size_t line = line_of(section, id).value();
+    const std::size_t word = field ? row_at(line).word_of_field[*field].value_or(0) : 0;
+    return {line + 1, data_words(lines_[line].text)[word].column};
+}
+
+template <typename Change>
+MachineDataDocument::Changed MachineDataDocument::attempt(Change change) {
+    std::vector<DataLine> before = lines_;
+    Changed changed = change();
+    if (changed) {
+        auto read = read_data_lines(joined(lines_), "x", rules_);
+        if (read) {
+            lines_ = std::move(read->lines);
+            data_ = std::move(read->data);
+            return {};
+        }
+        changed = tl::unexpected(sentence_of(read.error().front()));
+    }
+    lines_ = std::move(before);
+    return changed;
+}
+
+MachineDataDocument::Changed MachineDataDocument::set(DataSection section, std::string_view id,
+                                                      const FieldValues& values,
+                                                      std::optional<LengthUnit> unit) {
+    return attempt([&]() -> Changed {
+        const SectionRules& rules = rules_.of(section);
+        if (unit && !rules.has_unit)
+            return tl::unexpected(fmt::format("{} has no lengths, hence no unit", rules.keyword));
+        auto known = read_id(rules, id);
+        if (!known) return tl::unexpected(std::move(known.error()));
+        if (const auto line = line_of(section, *known)) {
+            return convert_line(*line, unit.value_or(row_at(*line).row.unit)).and_then([&] {
+                return edit(*line, values);
+            });
+        }
+        DataRow row;
+        row.id = *std::move(known);
+        row.unit = unit.value_or(LengthUnit::metric);
+        return add(rules, std::move(row), values);
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::erase(DataSection section, std::string_view id) {
+    return attempt([&]() -> Changed {
+        const auto line = line_of(section, id);
+        if (!line) return tl::unexpected(no_entry(section, id));
+        erase_line(*line);
+        return {};
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::reset(DataSection section, std::string_view id) {
+    return attempt([&]() -> Changed {
+        const auto line = line_of(section, id);
+        return line ? reset_line(*line) : tl::unexpected(no_entry(section, id));
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::reset_all(DataSection section) {
+    return attempt([&]() -> Changed {
+        for (std::size_t i = lines_.size(); i-- > 0;) {  // from the end, as lines may go away
+            if (lines_[i].kind != DataLine::Kind::entry || lines_[i].section != section) continue;
+            if (Changed changed = reset_line(i); !changed) return changed;
+        }
+        return {};
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::convert(LengthUnit unit) {
+    return attempt([&]() -> Changed {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (lines_[i].kind != DataLine::Kind::entry) continue;
+            if (Changed changed = convert_line(i, unit); !changed) return changed;
+        }
+        return {};
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::update(const MachineData& data) {
+    return attempt([&]() -> Changed {
+        for (const DataSection section : kDataSections) {
+            if (Changed changed = update_section(rules_.of(section), data); !changed) return changed;
+        }
+        return {};
+    });
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "machine/data/machine_data_reader.h"
+
+namespace gsim::machine {
+
+/// Machine data as they stand in their file, to be shown, changed and saved: what the preprocessor form of a
+/// controller works on. text() gives back the bytes that were read; a change of an entry changes its line
+/// alone, and in it the words that have another value. A change that would not make a right file is refused
+/// with a sentence, and nothing has changed then.
+class MachineDataDocument {
+  public:
+    /// A file without entries, for a machine with these axes (none: not known).
+    explicit MachineDataDocument(std::span<const Axis> axes = {});
+
+    /// Reads a file; the errors are "file:line:column: sentence" each, as read_data_lines() has them.
+    static tl::expected<MachineDataDocument, std::vector<std::string>> read(std::string_view text,
+                                                                            std::string_view file_name,
+                                                                            std::span<const Axis> axes = {});
+
+    std::string text() const;
+    const MachineData& data() const { return data_; }
+    const DataRules& rules() const { return rules_; }
+
+    /// The entries of a section as they are written, in the order of their lines.
+    std::vector<DataRow> rows(DataSection section) const;
+    /// One entry; nothing where there is none. Names of aliases count without regard to case.
+    std::optional<DataRow> find(DataSection section, std::string_view id) const;
+    struct Place {
+        std::size_t line = 1;
+        std::size_t column = 1;
+    };
+    /// Where an entry stands, or its field of that index. The entry must exist; a field without a word counts
+    /// as the entry.
+    Place place(DataSection section, std::string_view id, std::optional<std::size_t> field = {}) const;
+
+    /// A field by its (upper case) name, and its new value as it is to be written, in the unit of the entry;
+    /// an empty value takes it away.
+    using FieldValues = std::vector<std::pair<std::string, std::string>>;
+    using Changed = tl::expected<void, std::string>;
+
+    /// Changes an entry, or adds it at the end of its section; what is not given is then 0, or no limit.
+    /// Where `unit` is given and the entry has the other one, its other lengths are converted first.
+    Changed set(DataSection section, std::string_view id, const FieldValues& values,
+                std::optional<LengthUnit> unit = {});
+    /// Takes an entry out of the file, with its line.
+    Changed erase(DataSection section, std::string_view id);
+    /// Sets the numbers of an entry to 0. Named values go away, but for the name of a point, and so does an
+    /// alias or a zone as a whole.
+    Changed reset(DataSection section, std::string_view id);
+    /// reset() of all entries of a section.
+    Changed reset_all(DataSection section);
+    /// Writes all lengths in one unit. What they mean stays, to 15 digits.
+    Changed convert(LengthUnit unit);
+    /// Changes the file so that it holds these data. Entries keep their units.
+    Changed update(const MachineData& data);
+
+  private:
+    // In machine_data_edit.cpp: changes of lines_, without a look at the whole.
+    std::optional<std::size_t> line_of(DataSection section, std::string_view id) const;
+    ReadRow row_at(std::size_t line) const;
+    Changed edit(std::size_t line, const FieldValues& values);
+    Changed convert_line(std::size_t line, LengthUnit unit);
+    Changed add(const SectionRules& rules, DataRow row, const FieldValues& values);
+    std::size_t end_of_section(DataSection section);
+    void insert_line(std::size_t before, std::string text, DataLine::Kind kind, DataSection section);
+    void erase_line(std::size_t line);
+    Changed reset_line(std::size_t line);
+
+    // In machine_data_update.cpp.
+    Changed update_section(const SectionRules& rules, const MachineData& data);
+    Changed update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
+
+    /// Runs a change of lines_ and reads the result; takes it back where that is no right file.
+    template <typename Change>
+    Changed attempt(Change change);
+
+    DataRules rules_;
+    std::vector<DataLine> lines_;
+    MachineData data_;
+};
+
+}  // namespace gsim::machine

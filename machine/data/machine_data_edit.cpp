@@ -1,0 +1,275 @@
+// How a document changes its lines.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "machine/data/machine_data_document.h"
+#include "machine/data/machine_data_line.h"
+
+namespace gsim::machine {
+
+namespace {
+
+double in_unit(double value, LengthUnit unit) {
+    return unit == LengthUnit::inch ? value / kMmPerInch : value * kMmPerInch;
+}
+
+// 15 digits, so that 1.5 inches are 38.1 mm and not 38.099999999999994; more where 15 would not lead back.
+std::string converted(double value, LengthUnit unit) {
+    const LengthUnit other = unit == LengthUnit::inch ? LengthUnit::metric : LengthUnit::inch;
+    std::string text;
+    for (int digits = 15; digits <= 17; ++digits) {
+        text = fmt::format("{:.{}g}", in_unit(value, unit), digits);
+        const double back = in_unit(parse_number<double>(text).value_or(0), other);
+        if (fmt::format("{:.15g}", back) == fmt::format("{:.15g}", value)) break;
+    }
+    return text;
+}
+
+std::string_view indentation(std::string_view line) {
+    return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
+bool is_number(const DataField& field) {
+    return field.quantity != Quantity::text;
+}
+
+tl::expected<void, std::string> check_words(const DataRow& row) {
+    const auto wrong = std::find_if(row.values.begin(), row.values.end(), [](const std::string& value) {
+        return !value.empty() && !is_data_word(value);
+    });
+    const std::string& word = wrong == row.values.end() ? row.id : *wrong;
+    if (is_data_word(word)) return {};
+    return tl::unexpected(
+        fmt::format("'{}' cannot be written: it is not one word of a line", shown_word(word)));
+}
+
+std::string names_of(const SectionRules& rules) {
+    std::string names;
+    for (const DataField& field : rules.fields)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", field.name);
+    return names;
+}
+
+// Puts values into a row by their names.
+tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
+                                      const MachineDataDocument::FieldValues& values) {
+    for (const auto& [name, value] : values) {
+        const auto field = rules.find(name);
+        if (!field) {
+            return tl::unexpected(
+                fmt::format("{} has no '{}'; it has {}", rules.keyword, shown_word(name), names_of(rules)));
+        }
+        const bool choice = rules.fields[*field].form == FieldForm::choice;
+        row.values[*field] = choice ? upper_case(value) : value;
+    }
+    return check_words(row);
+}
+
+// Gives values in a row those that they need in front of them: 0, or no wall.
+tl::expected<void, std::string> fill(const SectionRules& rules, DataRow& row) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rules.positional(); ++i) {
+        if (rules.fields[i].required || !row.values[i].empty()) count = i + 1;
+    }
+    if (rules.holds_zones) count += count % 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const DataField& field = rules.fields[i];
+        if (!row.values[i].empty()) continue;
+        if (!is_number(field)) return tl::unexpected(std::string(rules.lacking));
+        if (rules.section == DataSection::home && i >= kSpaceAxes) {
+            return tl::unexpected(fmt::format(
+                "a home position needs a value for {} too: its values stand in a row", field.name));
+        }
+        row.values[i] = std::string(1, field.may_be_open ? '-' : '0');
+    }
+    return {};
+}
+
+bool is_same(const DataField& field, std::string_view a, std::string_view b) {
+    if (!is_number(field)) return a == b;
+    const auto first = parse_number<double>(a), second = parse_number<double>(b);
+    return first && second ? *first == *second : a == b;
+}
+
+/// Makes the words of a line say what a row says.
+class LineChange {
+  public:
+    LineChange(const SectionRules& rules, std::string_view line, const ReadRow& read)
+        : rules_(rules), line_(line), read_(read) {}
+
+    std::string to(const DataRow& wanted) {
+        replace_words(wanted);
+        erase_words(wanted);
+        insert_words(wanted);
+        set_unit(wanted.unit);
+        return line_.text();
+    }
+
+  private:
+    void replace_words(const DataRow& wanted) {
+        for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
+            const DataField& field = rules_.fields[i];
+            const std::string& value = wanted.values[i];
+            if (!read_.word_of_field[i] || value.empty() || is_same(field, value, read_.row.values[i]))
+                continue;
+            line_.replace(*read_.word_of_field[i], value_word(field, value));
+        }
+    }
+
+    // Their places shift all that is behind them.
+    void moved(std::size_t from, std::ptrdiff_t by) {
+        for (auto& word : read_.word_of_field) {
+            if (word && *word >= from)
+                *word = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(*word) + by);
+        }
+        if (read_.word_of_unit && *read_.word_of_unit >= from) {
+            read_.word_of_unit =
+                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(*read_.word_of_unit) + by);
+        }
+    }
+
+    void erase_words(const DataRow& wanted) {
+        for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
+            if (!read_.word_of_field[i] || !wanted.values[i].empty()) continue;
+            const std::size_t word = *read_.word_of_field[i];
+            line_.erase(word);
+            read_.word_of_field[i].reset();
+            moved(word + 1, -1);
+        }
+    }
+
+    void insert_words(const DataRow& wanted) {
+        for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
+            const DataField& field = rules_.fields[i];
+            if (read_.word_of_field[i] || wanted.values[i].empty()) continue;
+            const std::size_t end = read_.word_of_unit.value_or(line_.size());
+            const std::size_t word = field.form == FieldForm::positional ? i + 1 : end;
+            line_.insert(word, value_word(field, wanted.values[i]));
+            moved(word, 1);
+            read_.word_of_field[i] = word;
+        }
+    }
+
+    void set_unit(LengthUnit unit) {
+        if (unit == read_.row.unit) return;
+        const std::string_view word = unit == LengthUnit::inch ? "inch" : "metric";
+        if (read_.word_of_unit) return line_.replace(*read_.word_of_unit, word);
+        line_.insert(line_.size(), word);
+    }
+
+    const SectionRules& rules_;
+    EditedLine line_;
+    ReadRow read_;
+};
+
+}  // namespace
+
+std::optional<std::size_t> MachineDataDocument::line_of(DataSection section, std::string_view id) const {
+    const bool any_case = section == DataSection::alias;
+    const std::string upper = upper_case(id);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const DataLine& line = lines_[i];
+        if (line.kind != DataLine::Kind::entry || line.section != section) continue;
+        if (any_case ? upper_case(line.id) == upper : line.id == id) return i;
+    }
+    return std::nullopt;
+}
+
+ReadRow MachineDataDocument::row_at(std::size_t line) const {
+    return read_row(rules_.of(lines_[line].section), data_words(lines_[line].text)).value();
+}
+
+MachineDataDocument::Changed MachineDataDocument::edit(std::size_t line, const FieldValues& values) {
+    const SectionRules& rules = rules_.of(lines_[line].section);
+    const ReadRow read = row_at(line);
+    DataRow wanted = read.row;
+    return merge(rules, wanted, values).and_then([&] { return fill(rules, wanted); }).map([&] {
+        lines_[line].text = LineChange(rules, lines_[line].text, read).to(wanted);
+    });
+}
+
+MachineDataDocument::Changed MachineDataDocument::convert_line(std::size_t line, LengthUnit unit) {
+    const SectionRules& rules = rules_.of(lines_[line].section);
+    const ReadRow read = row_at(line);
+    if (!rules.has_unit || read.row.unit == unit) return {};
+    DataRow wanted = read.row;
+    wanted.unit = unit;
+    for (std::size_t i = 0; i < rules.fields.size(); ++i) {
+        const Quantity quantity = rules.fields[i].quantity;
+        const auto value = parse_number<double>(wanted.values[i]);
+        if (!value) continue;
+        if (quantity == Quantity::length) wanted.values[i] = converted(*value, unit);
+        if (quantity != Quantity::unknown || *value == 0) continue;
+        return tl::unexpected(fmt::format(
+            "{} {} has values of further axes; whether they are lengths or angles only the machine "
+            "file can tell",
+            rules.keyword, read.row.id));
+    }
+    lines_[line].text = LineChange(rules, lines_[line].text, read).to(wanted);
+    return {};
+}
+
+MachineDataDocument::Changed MachineDataDocument::add(const SectionRules& rules, DataRow row,
+                                                      const FieldValues& values) {
+    row.values.resize(rules.fields.size());
+    return merge(rules, row, values).and_then([&] { return fill(rules, row); }).map([&] {
+        const std::size_t before = end_of_section(rules.section);
+        const DataLine& above = lines_[before - 1];
+        const bool sibling = above.kind == DataLine::Kind::entry;
+        insert_line(
+            before,
+            sibling ? std::string(indentation(above.text)) + row_line(rules, row) : row_line(rules, row),
+            DataLine::Kind::entry, rules.section);
+        lines_[before].id = row.id;
+    });
+}
+
+// Behind the last entry of the section, or behind its keyword; a section that is missing is added.
+std::size_t MachineDataDocument::end_of_section(DataSection section) {
+    for (std::size_t i = lines_.size(); i-- > 0;) {
+        const DataLine& line = lines_[i];
+        const bool in_section = line.kind == DataLine::Kind::section || line.kind == DataLine::Kind::entry ||
+                                line.kind == DataLine::Kind::left_out;
+        if (in_section && line.section == section) return i + 1;
+    }
+    const auto end = std::find_if(lines_.begin(), lines_.end(),
+                                  [](const DataLine& line) { return line.kind == DataLine::Kind::end; });
+    const auto before = static_cast<std::size_t>(end - lines_.begin());
+    insert_line(before, std::string(keyword(section)), DataLine::Kind::section, section);
+    return before + 1;
+}
+
+// Lines end as the one above does.
+void MachineDataDocument::insert_line(std::size_t before, std::string text, DataLine::Kind kind,
+                                      DataSection section) {
+    DataLine line;
+    line.text = std::move(text);
+    line.end = lines_[before - 1].end;
+    line.kind = kind;
+    line.section = section;
+    lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(before), std::move(line));
+}
+
+void MachineDataDocument::erase_line(std::size_t line) {
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
+}
+
+MachineDataDocument::Changed MachineDataDocument::reset_line(std::size_t line) {
+    const SectionRules& rules = rules_.of(lines_[line].section);
+    if (rules.section == DataSection::alias || rules.holds_zones) {
+        erase_line(line);
+        return {};
+    }
+    const DataRow row = row_at(line).row;
+    FieldValues values;
+    for (std::size_t i = 0; i < rules.fields.size(); ++i) {
+        const DataField& field = rules.fields[i];
+        if (!is_number(field) || row.values[i].empty()) continue;
+        values.emplace_back(field.name, field.form == FieldForm::named ? "" : "0");
+    }
+    return edit(line, values);
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,198 @@
+#include "machine/data/machine_data_reader.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text/nearest_name.h"
+#include "machine/data/machine_data_values.h"
+
+namespace gsim::machine {
+
+namespace {
+
+constexpr std::size_t kMostErrors = 100;
+constexpr std::string_view kLeftOut = "...";
+constexpr std::string_view kNotBegun = "the file does not begin with NCFILE";
+
+std::vector<DataLine> lines_of(std::string_view text) {
+    std::vector<DataLine> lines;
+    while (!text.empty()) {
+        const std::size_t newline = text.find('\n');
+        const std::size_t next = newline == std::string_view::npos ? text.size() : newline + 1;
+        std::size_t end = std::min(newline, text.size());
+        if (end > 0 && text[end - 1] == '\r') --end;
+        DataLine line;
+        line.text = text.substr(0, end);
+        line.end = text.substr(end, next - end);
+        lines.push_back(std::move(line));
+        text.remove_prefix(next);
+    }
+    return lines;
+}
+
+class Reader {
+  public:
+    Reader(std::string_view file_name, const DataRules& rules) : file_name_(file_name), rules_(rules) {}
+
+    tl::expected<ReadData, std::vector<std::string>> read(std::string_view text) {
+        read_.lines = lines_of(text);
+        for (DataLine& line : read_.lines) {
+            ++number_;
+            faulty_ = false;
+            read_line(line);
+            if (errors_.size() >= kMostErrors || lost_) break;
+        }
+        if (errors_.size() < kMostErrors && !lost_) check_frame();
+        if (!errors_.empty()) return tl::unexpected(std::move(errors_));
+        return std::move(read_);
+    }
+
+  private:
+    /// Keeps the first error of a line.
+    void fail(std::size_t column, std::string_view sentence) {
+        if (!faulty_) errors_.push_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, sentence));
+        faulty_ = true;
+    }
+
+    /// Nothing behind this can be read with any sense.
+    void fail_wholly(std::size_t column, std::string_view sentence) {
+        fail(column, sentence);
+        lost_ = true;
+    }
+
+    void check_frame() {
+        ++number_;
+        faulty_ = false;
+        if (!begun_) return fail(1, kNotBegun);
+        if (!ended_) fail(1, "the file does not end with ENDFILE");
+    }
+
+    void read_line(DataLine& line) {
+        if (const std::size_t nul = line.text.find('\0'); nul != std::string::npos)
+            return fail_wholly(nul + 1, "there is a NUL byte; the file is no text");
+        words_ = data_words(line.text);
+        if (words_.empty()) return;
+        const DataWord& first = words_[0];
+        if (!begun_) {
+            if (first.text != "NCFILE") return fail_wholly(first.column, kNotBegun);
+            expect_alone();
+            begun_ = true;
+        } else if (ended_) {
+            fail_wholly(first.column, "there is text behind ENDFILE");
+        } else if (const auto section = section_named(first.text)) {
+            begin_section(line, *section);
+        } else if (first.text == "NCFILE") {
+            fail(first.column, "NCFILE may stand in the first line only");
+        } else if (first.text == "ENDFILE") {
+            expect_alone();
+            ended_ = true;
+            line.kind = DataLine::Kind::end;
+        } else if (first.text.starts_with(kLeftOut)) {
+            leave_out(line);
+        } else {
+            read_entry(line);
+        }
+    }
+
+    void expect_alone() {
+        if (words_.size() < 2) return;
+        fail(words_[1].column, fmt::format("'{}' is one word too many", shown_word(words_[1].text)));
+    }
+
+    void begin_section(DataLine& line, DataSection section) {
+        expect_alone();
+        section_ = section;
+        skipping_ = false;
+        line.kind = DataLine::Kind::section;
+        line.section = section;
+        remember_once(std::string(keyword(section)), fmt::format("the section {}", keyword(section)));
+    }
+
+    // Entries that are not in the file have their default values; that is what the dots of a printed file
+    // say.
+    void leave_out(DataLine& line) {
+        if (!section_ || words_.size() > 1 || words_[0].text != kLeftOut) {
+            return fail(words_[0].column,
+                        "'...' stands for entries left out of a section: alone in its line, behind the "
+                        "section's keyword");
+        }
+        line.kind = DataLine::Kind::left_out;
+        line.section = *section_;
+    }
+
+    void read_entry(DataLine& line) {
+        const DataWord& first = words_[0];
+        if (skipping_) return;
+        if (!section_ || words_.size() == 1) return fail_unknown_keyword(first);
+        const SectionRules& rules = rules_.of(*section_);
+        const auto read = read_row(rules, words_);
+        if (!read) return fail(read.error().column, read.error().sentence);
+        line.kind = DataLine::Kind::entry;
+        line.section = *section_;
+        line.id = read->row.id;
+        remember_once(data_key(*section_, read->row.id),
+                      fmt::format("the {} {}", rules.what, shown_word(first.text)));
+        remember_name(rules, *read);
+        if (!faulty_) add_row(read_.data, rules, read->row, rules_.axes_known());
+    }
+
+    void remember_name(const SectionRules& rules, const ReadRow& read) {
+        const auto key = name_key(rules, read.row);
+        if (!key) return;
+        const std::size_t field = *rules.name_field();
+        remember_once(*key,
+                      fmt::format("the name {} of a {}", shown_word(read.row.values[field]), rules.what),
+                      words_[*read.word_of_field[field]].column);
+    }
+
+    // What follows a misspelled keyword belongs to no section that is known.
+    void fail_unknown_keyword(const DataWord& first) {
+        const bool number = parse_number<double>(first.text).has_value();
+        if (number && section_)
+            return fail(first.column, fmt::format("{} has no values", shown_word(first.text)));
+        skipping_ = true;
+        std::vector<std::string_view> known{"NCFILE", "ENDFILE"};
+        for (const DataSection section : kDataSections) known.push_back(keyword(section));
+        const auto nearest = text::nearest_name(first.text, known);
+        fail(first.column,
+             fmt::format("'{}' is no keyword; a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, "
+                         "VARIABLE, ALIAS, SECURITY or WORKING{}",
+                         shown_word(first.text),
+                         nearest ? fmt::format("; did you mean {}?", *nearest) : std::string()));
+    }
+
+    void remember_once(std::string key, const std::string& what) {
+        remember_once(std::move(key), what, words_[0].column);
+    }
+
+    void remember_once(std::string key, const std::string& what, std::size_t column) {
+        const auto [first, added] = first_lines_.try_emplace(std::move(key), number_);
+        if (!added) fail(column, fmt::format("{} is given twice; first in line {}", what, first->second));
+    }
+
+    std::string_view file_name_;
+    const DataRules& rules_;
+    std::vector<DataWord> words_;  // of the line that is read
+    std::size_t number_ = 0;       // of that line, from 1
+    bool faulty_ = false;          // that line has an error
+    bool lost_ = false;
+    bool begun_ = false;
+    bool ended_ = false;
+    bool skipping_ = false;
+    std::optional<DataSection> section_;
+    std::map<std::string, std::size_t> first_lines_;
+    ReadData read_;
+    std::vector<std::string> errors_;
+};
+
+}  // namespace
+
+tl::expected<ReadData, std::vector<std::string>> read_data_lines(std::string_view text,
+                                                                 std::string_view file_name,
+                                                                 const DataRules& rules) {
+    return Reader(file_name, rules).read(text);
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "machine/data/machine_data.h"
+#include "machine/data/machine_data_row.h"
+
+namespace gsim::machine {
+
+/// A line of a file, as it is.
+struct DataLine {
+    enum class Kind { other, section, entry, left_out, end };  ///< other: empty, a remark, or NCFILE.
+
+    std::string text;
+    std::string end;  ///< "\n", "\r\n", or nothing at the end of the file.
+    Kind kind = Kind::other;
+    DataSection section = DataSection::offset;  ///< Of keywords of sections, entries and '...'.
+    std::string id;                             ///< Of entries.
+};
+
+/// A file that is right.
+struct ReadData {
+    std::vector<DataLine> lines;
+    MachineData data;
+};
+
+/// Reads a whole file. The errors are "file:line:column: sentence" each, at most one for a line and 100 in
+/// all, in the order of the lines.
+tl::expected<ReadData, std::vector<std::string>> read_data_lines(std::string_view text,
+                                                                 std::string_view file_name,
+                                                                 const DataRules& rules);
+
+}  // namespace gsim::machine

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "machine/data/machine_data.h"
+#include "machine/data/machine_data_row.h"
+
+namespace gsim::machine {
+
+/// Puts an entry that read_row() accepted into the data. Further axes of points only where they are known.
+void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, bool axes_known);
+
+/// The entries of a section in mm, by number, code or name. Axes of points that have no field are left out.
+std::vector<DataRow> rows_of(const MachineData& data, const SectionRules& rules);
+
+}  // namespace gsim::machine

@@ -1,0 +1,110 @@
+#include "machine/file/calibration_section.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+
+#include "base/dense/symmetric.h"
+#include "machine/file/number_list.h"
+#include "machine/model/figure.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
+
+constexpr std::array<std::string_view, 2> kCalibrationKeys{"runs", "left_percent"};
+constexpr std::array<std::string_view, 3> kFigureKeys{"of", "key", "covariance_percent2"};
+
+void read_figure(FirstError& error, const toml::table& table, std::size_t count, const Machine& machine,
+                 Calibration& calibration) {
+    TomlSection section(error, table, "[[calibrated]]", kFigureKeys);
+    CalibratedFigure figure;
+    figure.of = section.text("of");
+    figure.key = section.text("key");
+    section.require("covariance_percent2");
+    const auto row = read_numbers(section, table, "covariance_percent2",
+                                  "a list, one number for each [[calibrated]]", {count});
+    if (section.has("of") && section.has("key") && !value_of(figure, machine)) {
+        section.fail("key", fmt::format("{} is no figure that can be calibrated: 'of' is letters of axes, "
+                                        "\"path\", \"controller\" or \"times\", and 'key' one of theirs",
+                                        name_of(figure)));
+    }
+    calibration.figures.push_back(std::move(figure));
+    calibration.covariance_percent2.push_back(row.value_or(std::vector<double>(count)));
+}
+
+/// A covariance is symmetric, and no combination of the figures has less spread than none.
+bool is_covariance(const std::vector<std::vector<double>>& rows) {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::MatrixXd matrix(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        for (Eigen::Index k = 0; k < count; ++k)
+            matrix(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    }
+    constexpr double kRounding = 1e-6;
+    const double most = matrix.cwiseAbs().maxCoeff();
+    if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kRounding * most) return false;
+    matrix.diagonal().array() += kRounding * most;
+    return most == 0 || base::is_positive_definite(matrix);
+}
+
+}  // namespace
+
+void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
+    const auto section = file.section("calibration", "[calibration]", kCalibrationKeys);
+    if (!section) {
+        if (file.has("calibrated"))
+            file.fail("calibrated",
+                      "[[calibrated]] tells how figures were fitted, and there is no [calibration]");
+        return;
+    }
+    Calibration calibration;
+    calibration.runs = static_cast<int>(TomlSection(*section).number("runs", 1, NumberRule::count));
+    calibration.left_percent = TomlSection(*section).number("left_percent", 0, NumberRule::not_negative);
+    const auto figures =
+        file.has("calibrated") ? file.tables("calibrated") : std::vector<const toml::table*>();
+    for (const toml::table* figure : figures)
+        read_figure(error, *figure, figures.size(), machine, calibration);
+    if (error.text()) return;
+    if (!figures.empty() && !is_covariance(calibration.covariance_percent2))
+        file.fail("calibrated",
+                  "the rows 'covariance_percent2' are no covariance: they should be symmetric, "
+                  "without negative spread of any combination");
+    machine.calibration = std::move(calibration);
+}
+
+void print_calibration(TomlText& out, const Calibration& calibration) {
+    out.section("[calibration]");
+    out.line("runs", std::to_string(calibration.runs));
+    out.number("left_percent", calibration.left_percent);
+    for (std::size_t i = 0; i < calibration.figures.size(); ++i) {
+        out.section("[[calibrated]]");
+        out.line("of", base::toml_string(calibration.figures[i].of));
+        out.line("key", base::toml_string(calibration.figures[i].key));
+        out.line("covariance_percent2", number_list(calibration.covariance_percent2[i]));
+    }
+}
+
+std::vector<GuideTable> calibration_guide() {
+    return {
+        {.at = {"calibration"},
+         .meaning = "that figures were fitted to recorded runs, and how well",
+         .keys = {number_key("runs", {.least = 1, .greatest = 100000, .whole = true}, "1",
+                             "how many they were fitted to"),
+                  number_key("left_percent", kNotNegative, "0.0",
+                             "of the times of runs, what the fit leaves, as a standard deviation")}},
+        {.at = {"calibrated"},
+         .many = true,
+         .meaning = "a figure that was fitted",
+         .keys = {required(text_key("of", "", "letters of axes, path, controller or times")),
+                  required(text_key("key", "", "which of theirs")),
+                  required(list_key("covariance_percent2", KeyKind::number, 0,
+                                    "of the logarithms of this figure and each other one, in percent"))}}};
+}
+
+}  // namespace gsim::machine

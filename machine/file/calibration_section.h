@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/toml/toml_section.h"
+#include "base/toml/toml_text.h"
+#include "machine/model/machine.h"
+#include "machine/schema/key_guide.h"
+
+namespace gsim::machine {
+
+/// Reads [calibration] and [[calibrated]], if there are any, into a machine whose axes and controller have
+/// been read.
+void read_calibration(base::FirstError& error, base::TomlSection& file, Machine& machine);
+
+void print_calibration(base::TomlText& out, const Calibration& calibration);
+
+/// The tables as people fill them in.
+std::vector<GuideTable> calibration_guide();
+
+}  // namespace gsim::machine

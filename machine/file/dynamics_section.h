@@ -1,0 +1,17 @@
+#pragma once
+
+// For the readers of TOML files alone (toml_section.h).
+
+#include "base/toml/toml_section.h"
+#include "base/toml/toml_text.h"
+#include "machine/model/machine.h"
+
+namespace gsim::machine {
+
+/// Reads [dynamics], [[mass]] and [[hose]] of a machine file. The machine has its axes and shapes already;
+/// what these say of forces and masses without [dynamics] is an error.
+void read_dynamics(base::FirstError& error, base::TomlSection& file, Machine& machine);
+
+void print_dynamics(base::TomlText& out, const DynamicsTable& dynamics);
+
+}  // namespace gsim::machine

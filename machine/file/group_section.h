@@ -1,0 +1,13 @@
+#pragma once
+
+#include "base/toml/toml_section.h"
+#include "base/toml/toml_text.h"
+#include "machine/model/machine.h"
+
+namespace gsim::machine {
+
+/// The tables [[group]] of a machine file whose axes and inverse have been read.
+void read_groups(base::FirstError& error, base::TomlSection& file, Machine& machine);
+void print_groups(base::TomlText& out, const Machine& machine);
+
+}  // namespace gsim::machine

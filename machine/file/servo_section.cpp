@@ -1,0 +1,77 @@
+#include "machine/file/servo_section.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace gsim::machine {
+
+namespace {
+
+using base::NumberRule;
+using base::TomlSection;
+
+constexpr std::string_view kGain = "position_gain_1_s";
+constexpr double kLeastGain_1_s = 1;
+
+/// A key whose value is from 0 to 1: a share, or seconds.
+struct ServoKey {
+    std::string_view key;
+    double Servo::*value;
+    NumberRule rule = NumberRule::not_negative;
+};
+
+constexpr std::array kToOne{ServoKey{"velocity_feed_forward", &Servo::velocity_feed_forward},
+                            ServoKey{"acceleration_feed_forward", &Servo::acceleration_feed_forward},
+                            ServoKey{"velocity_lag_s", &Servo::velocity_lag_s, NumberRule::step},
+                            ServoKey{"command_delay_s", &Servo::command_delay_s}};
+
+}  // namespace
+
+std::vector<std::string_view> servo_keys() {
+    std::vector<std::string_view> keys{kGain};
+    for (const ServoKey& key : kToOne) keys.push_back(key.key);
+    return keys;
+}
+
+std::optional<Servo> read_servo(TomlSection& axis) {
+    const std::vector<std::string_view> keys = servo_keys();
+    if (std::none_of(keys.begin(), keys.end(), [&](std::string_view key) { return axis.has(key); }))
+        return std::nullopt;
+    Servo servo;
+    servo.position_gain_1_s = axis.number(kGain, 0, NumberRule::not_negative);
+    if (axis.has(kGain) && servo.position_gain_1_s < kLeastGain_1_s)
+        axis.fail(kGain, fmt::format("'{}' must be 1 or greater; it is {}", kGain, servo.position_gain_1_s));
+    for (const ServoKey& key : kToOne) {
+        const double value = axis.number(key.key, 0, key.rule);
+        if (value > 1) axis.fail(key.key, fmt::format("'{}' must be from 0 to 1; it is {}", key.key, value));
+        servo.*key.value = value;
+    }
+    return servo;
+}
+
+void print_servo(base::TomlText& out, const Axis& axis) {
+    if (!axis.servo) return;
+    // Even where it says nothing: that there is a loop is told by its keys.
+    if (axis.servo->position_gain_1_s > 0) out.number(kGain, axis.servo->position_gain_1_s);
+    out.number("velocity_feed_forward", axis.servo->velocity_feed_forward);
+    for (const ServoKey& key : kToOne) {
+        if (key.value != &Servo::velocity_feed_forward && axis.servo.value().*key.value != 0)
+            out.number(key.key, axis.servo.value().*key.value);
+    }
+}
+
+std::optional<std::string> find_servo_fault(const Machine& machine) {
+    const double gain_1_s = machine.controller.position_gain_1_s;
+    if (gain_1_s >= kLeastGain_1_s) return std::nullopt;
+    for (const Axis& axis : machine.axes) {
+        if (!axis.servo || axis.servo->position_gain_1_s > 0) continue;
+        return fmt::format(
+            "axis {} has a servo loop without a gain: it needs '{}', 1 or greater, or else [controller] does",
+            axis.letter, kGain);
+    }
+    return std::nullopt;
+}
+
+}  // namespace gsim::machine

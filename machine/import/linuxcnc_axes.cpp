@@ -1,0 +1,257 @@
+#include "machine/import/linuxcnc_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text/letter_case.h"
+#include "base/units.h"
+
+namespace gsim::import {
+
+namespace {
+
+constexpr std::string_view kTrivial = "trivkins";
+constexpr std::string_view kLettersOfJoints = "XYZABCUVW";  // where the kinematics name none
+constexpr double kEndless = 1e9;                            // what LinuxCNC has for no limit is 1e99
+constexpr double kSpeedOfSilence =
+    1;  // units/s, where an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
+
+template <typename T>
+using Read = tl::expected<T, std::string>;
+
+bool is_letter(char c) {
+    return kLettersOfJoints.find(c) != std::string_view::npos;
+}
+
+machine::AxisDirection direction_of(char letter) {
+    constexpr std::size_t kThree = 3;
+    return static_cast<machine::AxisDirection>(kLettersOfJoints.find(letter) % kThree);
+}
+
+// Letters of a value such as "X Y Z" or "XYZ", in capitals.
+std::string letters_of(std::string_view value) {
+    std::string letters;
+    for (const char c : text::upper(value)) {
+        if (is_letter(c)) letters += c;
+    }
+    return letters;
+}
+
+std::string without_repeats(const std::string& letters) {
+    std::string once;
+    for (const char c : letters) {
+        if (once.find(c) == std::string::npos) once += c;
+    }
+    return once;
+}
+
+// What KINEMATICS = trivkins coordinates=XYYZ kinstype=BOTH says: the letter of each joint.
+Read<std::string> letters_of_joints(IniFile& ini) {
+    const IniEntry* entry = ini.find("KINS", "KINEMATICS");
+    if (entry == nullptr) return std::string(kLettersOfJoints);
+    const std::string_view value = entry->value;
+    const std::size_t blank = std::min(value.find_first_of(" \t"), value.size());
+    if (value.substr(0, blank) != kTrivial) {
+        return tl::unexpected(ini.at(
+            *entry,
+            fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a machine file with "
+                        "its frames, and take the limits from here",
+                        value.substr(0, blank))));
+    }
+    const std::size_t coordinates = text::lower(value).find("coordinates=");
+    if (coordinates == std::string::npos) return std::string(kLettersOfJoints);
+    const std::string_view given = value.substr(coordinates + std::string_view("coordinates=").size());
+    return letters_of(given.substr(0, given.find_first_of(" \t")));
+}
+
+struct Unit {
+    std::string_view name;
+    double size;
+};
+
+Read<double> unit_of(IniFile& ini, std::string_view key, std::initializer_list<Unit> units) {
+    const IniEntry* entry = ini.find("TRAJ", key);
+    if (entry == nullptr) return 1.0;
+    const std::string name = text::lower(entry->value);
+    // A number is how many of them make a mm, or a degree.
+    if (const auto per_unit = plain_number(name); per_unit && *per_unit > 0) return 1 / *per_unit;
+    std::string names;
+    for (const Unit& unit : units) {
+        if (name == unit.name) return unit.size;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
+    }
+    return tl::unexpected(ini.at(*entry, fmt::format("{} is '{}'; there are {}", key, entry->value, names)));
+}
+
+/// What one section [AXIS_X] or [JOINT_0] limits, in mm or deg.
+struct Limits {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    double speed = std::numeric_limits<double>::infinity();
+    double acceleration = std::numeric_limits<double>::infinity();
+    double jerk = std::numeric_limits<double>::infinity();
+    double home = 0;
+
+    void narrow(const Limits& other) {
+        min = std::max(min, other.min);
+        max = std::min(max, other.max);
+        speed = std::min(speed, other.speed);
+        acceleration = std::min(acceleration, other.acceleration);
+        // LinuxCNC's planner takes an axis without one for one without a limit, whatever its joints have.
+        if (std::isfinite(jerk)) jerk = std::min(jerk, other.jerk);
+    }
+};
+
+class AxisReader {
+  public:
+    AxisReader(IniFile& ini, const IniUnits& units, std::vector<std::string>& warnings)
+        : ini_(ini), units_(units), warnings_(warnings) {}
+
+    Read<machine::Axis> read(char letter, const std::vector<std::size_t>& joints) {
+        const bool rotary = letter >= 'A' && letter <= 'C';
+        unit_ = rotary ? units_.angular_deg : units_.linear_mm;
+        Limits limits;
+        const std::string of_axis = fmt::format("AXIS_{}", letter);
+        if (ini_.has_section(of_axis)) take(of_axis, kSpeedOfSilence, limits);
+        bool first = true;
+        for (const std::size_t joint : joints) {
+            Limits of_joint;
+            const std::string section = section_of(joint);
+            if (!ini_.has_section(section)) continue;
+            take(section, kSpeedOfSilence, of_joint);
+            check_type(section, letter, rotary);
+            limits.narrow(of_joint);
+            if (first) limits.home = of_joint.home;
+            first = false;
+        }
+        if (fault_) return tl::unexpected(*fault_);
+        if (first && !ini_.has_section(of_axis)) {
+            return tl::unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
+                                              ini_.file_name(), of_axis, letter));
+        }
+        return made(letter, rotary, limits);
+    }
+
+  private:
+    // Up to version 2.7 joints stood in sections [AXIS_0].
+    std::string section_of(std::size_t joint) const {
+        const std::string now = fmt::format("JOINT_{}", joint);
+        return ini_.has_section(now) ? now : fmt::format("AXIS_{}", joint);
+    }
+
+    std::optional<double> number(const std::string& section, std::string_view key) {
+        const auto read = ini_.number(section, key);
+        if (!read && !fault_) fault_ = read.error();
+        return read ? *read : std::nullopt;
+    }
+
+    void take(const std::string& section, double silent_speed, Limits& limits) {
+        const auto length = [&](std::string_view key, double endless) {
+            const std::optional<double> value = number(section, key);
+            return value && std::abs(*value) < kEndless ? without_noise(*value * unit_) : endless;
+        };
+        limits.min = length("MIN_LIMIT", limits.min);
+        limits.max = length("MAX_LIMIT", limits.max);
+        limits.speed = number(section, "MAX_VELOCITY").value_or(silent_speed) * unit_;
+        limits.acceleration = number(section, "MAX_ACCELERATION").value_or(silent_speed) * unit_;
+        if (const auto jerk = number(section, "MAX_JERK"); jerk && *jerk > 0)
+            limits.jerk = without_noise(*jerk * unit_);
+        limits.home = without_noise(number(section, "HOME").value_or(0) * unit_);
+        for (const std::string_view key : {"MAX_VELOCITY", "MAX_ACCELERATION"}) {
+            const std::optional<double> value = number(section, key);
+            if (!value || *value > 0 || fault_) continue;
+            fault_ = ini_.at(*ini_.find(section, key),
+                             fmt::format("{} of [{}] must be greater than 0", key, section));
+        }
+    }
+
+    void check_type(const std::string& section, char letter, bool rotary) {
+        const auto type = ini_.text(section, "TYPE");
+        if (!type || text::upper(*type) == (rotary ? "ANGULAR" : "LINEAR")) return;
+        warnings_.push_back(fmt::format("[{}] TYPE = {} is not taken over: axis {} is {}", section, *type,
+                                        letter, rotary ? "rotary" : "linear"));
+    }
+
+    Read<machine::Axis> made(char letter, bool rotary, const Limits& limits) {
+        if (limits.min > limits.max) {
+            return tl::unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
+                                              ini_.file_name(), letter, limits.min, limits.max));
+        }
+        machine::Axis axis;
+        axis.letter = letter;
+        axis.kind = rotary ? machine::AxisKind::rotary : machine::AxisKind::linear;
+        axis.min = limits.min;
+        axis.max = limits.max;
+        axis.max_speed = limits.speed;
+        axis.max_acceleration = limits.acceleration;
+        axis.max_jerk = limits.jerk;
+        axis.home = std::clamp(limits.home, limits.min, limits.max);
+        if (axis.home != limits.home) {
+            warnings_.push_back(
+                fmt::format("HOME of axis {} is outside of its range; it is taken as {}", letter, axis.home));
+        }
+        axis.direction = direction_of(letter);
+        return axis;
+    }
+
+    IniFile& ini_;
+    const IniUnits& units_;
+    std::vector<std::string>& warnings_;
+    double unit_ = 1;
+    std::optional<std::string> fault_;
+};
+
+}  // namespace
+
+Read<IniUnits> read_units(IniFile& ini) {
+    const auto linear = unit_of(ini, "LINEAR_UNITS",
+                                {{"mm", 1},
+                                 {"metric", 1},
+                                 {"inch", kMmPerInch},
+                                 {"in", kMmPerInch},
+                                 {"imperial", kMmPerInch},
+                                 {"cm", 10}});
+    if (!linear) return tl::unexpected(linear.error());
+    const auto angular = unit_of(ini, "ANGULAR_UNITS",
+                                 {{"degree", 1},
+                                  {"deg", 1},
+                                  {"degrees", 1},
+                                  {"radian", kDegPerRad},
+                                  {"rad", kDegPerRad},
+                                  {"grad", 0.9},
+                                  {"gon", 0.9}});
+    if (!angular) return tl::unexpected(angular.error());
+    return IniUnits{*linear, *angular};
+}
+
+Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
+                                           std::vector<std::string>& warnings) {
+    const auto of_joints = letters_of_joints(ini);
+    if (!of_joints) return tl::unexpected(of_joints.error());
+    const std::string letters =
+        without_repeats(letters_of(ini.text("TRAJ", "COORDINATES").value_or(*of_joints)));
+    if (letters.empty())
+        return tl::unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
+    const auto joint_count = ini.number("KINS", "JOINTS");
+    if (!joint_count) return tl::unexpected(joint_count.error());
+    const auto most = static_cast<double>(of_joints->size());
+    const double told = joint_count->value_or(most);
+    const auto count = static_cast<std::size_t>(told >= 0 ? std::min(told, most) : most);
+    std::map<char, std::vector<std::size_t>> joints;
+    for (std::size_t joint = 0; joint < count; ++joint) joints[(*of_joints)[joint]].push_back(joint);
+    std::vector<machine::Axis> axes;
+    for (const char letter : letters) {
+        auto axis = AxisReader(ini, units, warnings).read(letter, joints[letter]);
+        if (!axis) return tl::unexpected(axis.error());
+        axes.push_back(*std::move(axis));
+    }
+    return axes;
+}
+
+}  // namespace gsim::import

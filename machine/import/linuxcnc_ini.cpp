@@ -1,0 +1,268 @@
+#include "machine/import/linuxcnc_ini.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text/letter_case.h"
+#include "base/units.h"
+#include "machine/file/controller_file.h"
+#include "machine/import/ini_file.h"
+#include "machine/import/linuxcnc_axes.h"
+#include "machine/import/linuxcnc_tables.h"
+
+namespace gsim::import {
+
+namespace {
+
+using Done = tl::expected<void, std::string>;
+
+constexpr std::string_view kModel29 = "linuxcnc-2.9";
+constexpr std::string_view kModel210 = "linuxcnc-2.10";
+constexpr double kSilentJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
+constexpr double kPercent = 100;
+constexpr double kNanosecond_s = 1e-9;
+
+/// A parameter of the planner that is built in with this value.
+struct FixedValue {
+    std::string_view section;
+    std::string_view key;
+    double value;
+};
+constexpr std::array kFixedValues{
+    FixedValue{"TRAJ", "ARC_BLEND_ENABLE", 1},       FixedValue{"TRAJ", "ARC_BLEND_FALLBACK_ENABLE", 0},
+    FixedValue{"TRAJ", "ARC_BLEND_GAP_CYCLES", 4},   FixedValue{"TRAJ", "ARC_BLEND_RAMP_FREQ", 100},
+    FixedValue{"TRAJ", "ARC_BLEND_KINK_RATIO", 0.1}, FixedValue{"TRAJ", "SCURVE_PEAK_SCALE", 1},
+};
+
+class Importer {
+  public:
+    Importer(IniFile ini, const std::filesystem::path& path, const os::Files& files)
+        : ini_(std::move(ini)), folder_(path.parent_path()), files_(files) {}
+
+    tl::expected<Imported, std::string> take() {
+        return read_units(ini_)
+            .and_then([&](const IniUnits& units) {
+                units_ = units;
+                return read_axes(ini_, units_, result_.warnings);
+            })
+            .and_then([&](std::vector<machine::Axis> axes) {
+                result_.machine.axes = std::move(axes);
+                return take_rest();
+            })
+            .map([&] {
+                leave_out();
+                return std::move(result_);
+            });
+    }
+
+  private:
+    Done take_rest() {
+        take_name();
+        take_units();
+        for (const auto step : {&Importer::take_path, &Importer::take_planner, &Importer::take_parameter_file,
+                                &Importer::take_tool_table}) {
+            if (Done done = (this->*step)(); !done) return done;
+        }
+        return {};
+    }
+
+    void take_name() {
+        result_.machine.name = ini_.text("EMC", "MACHINE").value_or("LinuxCNC");
+        ini_.find("EMC", "VERSION");  // of the file's own form
+        // Three slides have an inverse whatever else; where rotary axes lie the file does not say.
+        const auto linear = [](const machine::Axis& axis) { return axis.kind == machine::AxisKind::linear; };
+        const bool slides = result_.machine.axes.size() == 3 && letters() == "XYZ" &&
+                            std::all_of(result_.machine.axes.begin(), result_.machine.axes.end(), linear);
+        result_.machine.inverse = slides ? machine::InverseKind::gantry : machine::InverseKind::none;
+    }
+
+    std::string letters() const {
+        std::string letters;
+        for (const machine::Axis& axis : result_.machine.axes) letters += axis.letter;
+        return letters;
+    }
+
+    // RS274NGC_STARTUP_CODE runs before each program; of it the units are known here.
+    void take_units() {
+        result_.machine.program.dialect = "linuxcnc";
+        if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
+        const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
+        if (!startup) return;
+        const std::string code = text::upper(*startup);
+        if (code.find("G20") != std::string::npos)
+            result_.machine.program.units = machine::ProgramUnits::inch;
+        if (code.find("G21") != std::string::npos) result_.machine.program.units = machine::ProgramUnits::mm;
+        result_.warnings.push_back(fmt::format(
+            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; of it the units are "
+            "taken over",
+            *startup));
+    }
+
+    // A number of [TRAJ] by the first of two names, of which the second is that of older versions.
+    tl::expected<std::optional<double>, std::string> of_path(std::string_view key, std::string_view older) {
+        auto value = ini_.number("TRAJ", key);
+        if (value && !value->has_value()) return ini_.number("TRAJ", older);
+        return value;
+    }
+
+    Done take_path() {
+        machine::PathLimits& path = result_.machine.path;
+        const auto speed = of_path("MAX_LINEAR_VELOCITY", "MAX_VELOCITY");
+        if (!speed) return tl::unexpected(speed.error());
+        if (*speed) path.max_feed_mm_s = path.max_rapid_mm_s = **speed * units_.linear_mm;
+        const auto acceleration = of_path("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION");
+        if (!acceleration) return tl::unexpected(acceleration.error());
+        if (!*acceleration) return {};
+        path.max_acceleration_mm_s2 = **acceleration * units_.linear_mm;
+        for (const machine::Axis& axis : result_.machine.axes) {
+            if (axis.kind == machine::AxisKind::rotary ||
+                axis.max_acceleration <= path.max_acceleration_mm_s2)
+                continue;
+            result_.warnings.push_back(fmt::format(
+                "[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is taken over for feed "
+                "moves, not for rapid ones",
+                axis.letter));
+            break;
+        }
+        return {};
+    }
+
+    // Shares of 1.
+    Done take_overrides(rrs::OverrideRules& overrides) {
+        for (const auto& [key, percent] : {std::pair{"MAX_FEED_OVERRIDE", &overrides.feed_max_percent},
+                                           {"MIN_SPINDLE_OVERRIDE", &overrides.spindle_min_percent},
+                                           {"MAX_SPINDLE_OVERRIDE", &overrides.spindle_max_percent}}) {
+            const auto share = ini_.number("DISPLAY", key);
+            if (!share) return tl::unexpected(share.error());
+            if (*share && **share > 0) *percent = **share * kPercent;
+        }
+        overrides.planned_feed_percent = overrides.feed_max_percent;
+        return {};
+    }
+
+    // PLANNER_TYPE is a word of 2.10.
+    Done take_release(rrs::ControllerRules& rules) {
+        const auto planner = ini_.number("TRAJ", "PLANNER_TYPE");
+        if (!planner) return tl::unexpected(planner.error());
+        rules = machine::built_in_controller(*planner ? kModel210 : kModel29).value();
+        if (!*planner) return {};
+        const auto clearance = ini_.number("RS274NGC", "G83_PECK_CLEARANCE");
+        if (!clearance) return tl::unexpected(clearance.error());
+        if (*clearance && **clearance >= 0) rules.peck_clearance_mm = **clearance * units_.linear_mm;
+        if (**planner != 1) return {};
+        rules.limit_jerk = true;
+        return take_jerk();
+    }
+
+    Done take_jerk() {
+        const auto jerk = ini_.number("TRAJ", "MAX_LINEAR_JERK");
+        if (!jerk) return tl::unexpected(jerk.error());
+        const bool given = *jerk && **jerk > 0;
+        result_.machine.path.max_jerk_mm_s3 = given ? **jerk * units_.linear_mm : kSilentJerk_mm_s3;
+        std::string straight;
+        for (const machine::Axis& axis : result_.machine.axes) {
+            if (std::isinf(axis.max_jerk)) straight += straight.empty() ? "" : ", ";
+            if (std::isinf(axis.max_jerk)) straight += axis.letter;
+        }
+        if (straight.empty()) return {};
+        result_.warnings.push_back(
+            fmt::format("[TRAJ] PLANNER_TYPE = 1 makes no S-curves of moves of {}, whose sections have no "
+                        "MAX_JERK, as in LinuxCNC",
+                        straight));
+        return {};
+    }
+
+    Done take_planner() {
+        rrs::ControllerRules& rules = result_.machine.controller;
+        if (Done done = take_release(rules); !done) return done;
+        const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
+        if (!period_ns) return tl::unexpected(period_ns.error());
+        if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
+        const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
+        if (!depth) return tl::unexpected(depth.error());
+        constexpr double kMostBlocks = 1e6;  // beyond what a machine file may say, and within a whole number
+        if (*depth && **depth >= 1)
+            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMostBlocks));
+        if (auto taken = take_overrides(rules.overrides); !taken) return taken;
+        for (const FixedValue& fixed : kFixedValues) {
+            const auto value = ini_.number(fixed.section, fixed.key);
+            if (!value) return tl::unexpected(value.error());
+            if (!*value || **value == fixed.value) continue;
+            result_.warnings.push_back(
+                fmt::format("[{}] {} = {} is not taken over: the planner here is that of LinuxCNC with {}",
+                            fixed.section, fixed.key, **value, fixed.value));
+        }
+        return {};
+    }
+
+    // The text of a file that the INI file names; nothing where it names none, or it is not there.
+    std::optional<std::pair<std::string, std::string>> named_file(std::string_view section,
+                                                                  std::string_view key) {
+        const auto name = ini_.text(section, key);
+        if (!name || name->empty()) return std::nullopt;
+        const std::filesystem::path path = folder_ / *name;
+        auto text = files_.read_text(path);
+        if (text) return std::pair(path.string(), *std::move(text));
+        result_.warnings.push_back(
+            fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error()));
+        return std::nullopt;
+    }
+
+    Done take_parameter_file() {
+        const auto file = named_file("RS274NGC", "PARAMETER_FILE");
+        return file ? take_table(*file, take_parameters) : Done();
+    }
+
+    Done take_tool_table() {
+        const auto file = named_file("EMCIO", "TOOL_TABLE");
+        return file ? take_table(*file, take_tools) : Done();
+    }
+
+    Done take_table(const std::pair<std::string, std::string>& file,
+                    Done (*take_over)(std::string_view, std::string_view, double, std::string_view,
+                                      machine::MachineData&, TableNotes&)) {
+        TableNotes notes;
+        Done done = take_over(file.second, file.first, units_.linear_mm, letters(), result_.data, notes);
+        result_.has_data = true;
+        for (const std::string& name : notes.left_out)
+            result_.left_out.push_back(
+                fmt::format("{}: {}", std::filesystem::path(file.first).filename().string(), name));
+        return done;
+    }
+
+    // What nobody asked for, by sections.
+    void leave_out() {
+        std::vector<std::pair<std::string, std::string>> sections;
+        for (const IniEntry& entry : ini_.entries()) {
+            if (entry.taken) continue;
+            auto found = std::find_if(sections.begin(), sections.end(),
+                                      [&](const auto& one) { return one.first == entry.section; });
+            if (found == sections.end()) found = sections.insert(sections.end(), {entry.section, ""});
+            if ((", " + found->second + ",").find(", " + entry.key + ",") != std::string::npos) continue;
+            found->second += (found->second.empty() ? "" : ", ") + entry.key;
+        }
+        for (const auto& [section, keys] : sections)
+            result_.left_out.push_back(fmt::format("[{}] {}", section, keys));
+    }
+
+    IniFile ini_;
+    std::filesystem::path folder_;
+    const os::Files& files_;
+    IniUnits units_;
+    Imported result_;
+};
+
+}  // namespace
+
+tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
+                                                    const os::Files& files) {
+    return IniFile::read(text, path, files).and_then([&](IniFile ini) {
+        return Importer(std::move(ini), path, files).take();
+    });
+}
+
+}  // namespace gsim::import

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "base/os/files.h"
+#include "machine/import/imported.h"
+
+namespace gsim::import {
+
+/// Reads the INI file of a LinuxCNC machine with trivial kinematics (trivkins): axes, joints, limits, units,
+/// homes, the parameters of its planner; and the files of parameters and tools that it names, which are
+/// looked for in its folder. The error is "file:line: sentence".
+tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
+                                                    const os::Files& files = os::disk());
+
+}  // namespace gsim::import

@@ -1,0 +1,222 @@
+#include "machine/import/linuxcnc_tables.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
+#include "machine/import/ini_file.h"
+
+namespace gsim::import {
+
+namespace {
+
+constexpr std::string_view kLettersInOrder = "XYZABCUVW";  // of parameters
+constexpr double kStoredMm = kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
+constexpr int kFirstHome = 5161;
+constexpr int kSecondHome = 5181;
+constexpr int kG92InForce = 5210;
+constexpr int kFirstG92 = 5211;
+constexpr int kSystemInForce = 5220;
+constexpr int kFirstSystem = 5221;
+constexpr int kPerSystem = 20;
+constexpr int kRotation = 9;
+constexpr int kFirstOwn = 31;  // of the variables that programs may keep
+constexpr int kLastOwn = 5000;
+constexpr std::array<std::string_view, 9> kSystems{"54", "55",   "56",   "57",  "58",
+                                                   "59", "59.1", "59.2", "59.3"};
+
+bool turns(char letter) {
+    return letter >= 'A' && letter <= 'C';
+}
+
+// Calls take(line, number) for each line with something in it, until it gives an error.
+template <typename Take>
+tl::expected<void, std::string> each_line(std::string_view text, std::string_view file_name, Take take) {
+    std::size_t at = 0;
+    for (int number = 1; at < text.size(); ++number) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view line = text.substr(at, end - at);
+        at = end + 1;
+        line = trimmed_text(line.substr(0, line.find_first_of(";#")));
+        if (line.empty()) continue;
+        if (const std::optional<std::string> fault = take(line))
+            return tl::unexpected(fmt::format("{}:{}: {}", file_name, number, *fault));
+    }
+    return {};
+}
+
+class Parameters {
+  public:
+    Parameters(double unit_mm, std::string_view axes, machine::MachineData& data, TableNotes& notes)
+        : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
+
+    std::optional<std::string> take(std::string_view line) {
+        const std::size_t blank = std::min(line.find_first_of(" \t"), line.size());
+        const auto number = plain_number(line.substr(0, blank));
+        const auto value = plain_number(line.substr(blank));
+        if (!number || !value || *number != std::floor(*number) || *number < 1 || *number > kLastParameter)
+            return fmt::format("'{}' is no number of a parameter and its value", line);
+        values_[static_cast<int>(*number)] = *value;
+        return std::nullopt;
+    }
+
+    void use() {
+        for (std::size_t system = 0; system < kSystems.size(); ++system) take_system(system);
+        take_point(kFirstHome, "G28");
+        take_point(kSecondHome, "G30");
+        take_point(kFirstG92, "the G92 offset");
+        if (value(kG92InForce) != 0) data_.variables[kG92InForce] = value(kG92InForce);
+        for (const auto& [number, of] : values_) {
+            if (number >= kFirstOwn && number <= kLastOwn && of != 0) data_.variables[number] = of;
+        }
+        if (value(kSystemInForce) > 1)
+            notes_.left_out.push_back(
+                fmt::format("#5220 = {:.0f}: runs begin in G54, not in that system", value(kSystemInForce)));
+    }
+
+  private:
+    static constexpr int kLastParameter = 9999;
+
+    double value(int number) const {
+        const auto found = values_.find(number);
+        return found == values_.end() ? 0 : found->second;
+    }
+
+    // Whether the machine has the axis of a value; one that it lacks is told, if it is not 0.
+    bool has_axis(char letter, double of, std::string_view what) {
+        if (axes_.find(letter) != std::string_view::npos) return true;
+        if (of != 0)
+            notes_.left_out.push_back(fmt::format("{} of {}: the machine has no such axis", letter, what));
+        return false;
+    }
+
+    void take_system(std::size_t system) {
+        const int first = kFirstSystem + static_cast<int>(system) * kPerSystem;
+        machine::AxisValues values;
+        bool any = false;
+        for (std::size_t i = 0; i < kLettersInOrder.size(); ++i) {
+            const char letter = kLettersInOrder[i];
+            const double of = value(first + static_cast<int>(i));
+            if (!has_axis(letter, of, "G" + std::string(kSystems[system]))) continue;
+            values[letter] = turns(letter) ? of : without_noise(of * unit_mm_);
+            any = any || of != 0;
+        }
+        if (any) data_.offsets[std::string(kSystems[system])] = std::move(values);
+        if (value(first + kRotation) != 0) data_.variables[first + kRotation] = value(first + kRotation);
+    }
+
+    void take_point(int first, std::string_view what) {
+        for (std::size_t i = 0; i < kLettersInOrder.size(); ++i) {
+            const char letter = kLettersInOrder[i];
+            const double of = value(first + static_cast<int>(i));
+            if (of == 0 || !has_axis(letter, of, what)) continue;
+            data_.variables[first + static_cast<int>(i)] = turns(letter) ? of : of * unit_mm_ / kStoredMm;
+        }
+    }
+
+    double unit_mm_;
+    std::string_view axes_;
+    machine::MachineData& data_;
+    TableNotes& notes_;
+    std::map<int, double> values_;
+};
+
+class Tools {
+  public:
+    Tools(double unit_mm, std::string_view axes, machine::MachineData& data, TableNotes& notes)
+        : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
+
+    std::optional<std::string> take(std::string_view line) {
+        std::map<char, double> words;
+        for (std::size_t at = 0; at < line.size();) {
+            const std::size_t begin = line.find_first_not_of(" \t", at);
+            if (begin == std::string_view::npos) break;
+            std::size_t end = begin + 1;
+            while (end < line.size() &&
+                   (text::is_digit(line[end]) || line[end] == '.' || line[end] == '-' || line[end] == '+'))
+                ++end;
+            const char letter = text::upper(line.substr(begin, 1)).front();
+            const auto value = plain_number(line.substr(begin + 1, end - begin - 1));
+            if (kToolLetters.find(letter) == std::string_view::npos || !value)
+                return fmt::format(
+                    "'{}' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
+                    line.substr(begin, line.find_first_of(" \t", begin) - begin));
+            words[letter] = *value;
+            at = end;
+        }
+        return make_tool(words);
+    }
+
+  private:
+    static constexpr std::string_view kToolLetters = "TPDXYZABCUVWIJQ";
+    static constexpr double kGreatestNumber = 99999;
+    static constexpr int kOrientations = 10;
+
+    std::optional<std::string> make_tool(const std::map<char, double>& words) {
+        const auto of = [&](char letter) {
+            const auto found = words.find(letter);
+            return found == words.end() ? 0.0 : found->second;
+        };
+        if (words.find('T') == words.end()) return std::string("a tool needs its number T");
+        const double number = of('T');
+        if (number != std::floor(number) || number < 0 || number > kGreatestNumber)
+            return fmt::format("T{} is no number of a tool", number);
+        if (number == 0) {
+            notes_.left_out.emplace_back("T0: tools are counted from 1");
+            return std::nullopt;
+        }
+        machine::Tool tool;
+        tool.length_mm = without_noise(of('Z') * unit_mm_);
+        tool.diameter_mm = without_noise(of('D') * unit_mm_);
+        tool.front_angle_deg = of('I');
+        tool.back_angle_deg = of('J');
+        const double orientation = of('Q');
+        if (orientation != std::floor(orientation) || orientation < 0 || orientation >= kOrientations)
+            return fmt::format("Q{} is no orientation, which is 0 to 9", orientation);
+        tool.orientation = static_cast<int>(orientation);
+        for (const char letter : {'X', 'Y', 'A', 'B', 'C', 'U', 'V', 'W'}) {
+            if (of(letter) == 0) continue;
+            if (axes_.find(letter) == std::string_view::npos) {
+                notes_.left_out.push_back(
+                    fmt::format("{} of tool {}: the machine has no such axis", letter, number));
+                continue;
+            }
+            tool.offsets[letter] = turns(letter) ? of(letter) : without_noise(of(letter) * unit_mm_);
+        }
+        if (words.find('P') != words.end() && of('P') != number)
+            notes_.left_out.push_back(fmt::format("P{} of tool {}: places in a magazine", of('P'), number));
+        data_.tools[static_cast<int>(number)] = std::move(tool);
+        return std::nullopt;
+    }
+
+    double unit_mm_;
+    std::string_view axes_;
+    machine::MachineData& data_;
+    TableNotes& notes_;
+};
+
+}  // namespace
+
+tl::expected<void, std::string> take_parameters(std::string_view text, std::string_view file_name,
+                                                double unit_mm, std::string_view axes,
+                                                machine::MachineData& data, TableNotes& notes) {
+    Parameters parameters(unit_mm, axes, data, notes);
+    return each_line(text, file_name, [&](std::string_view line) { return parameters.take(line); }).map([&] {
+        parameters.use();
+    });
+}
+
+tl::expected<void, std::string> take_tools(std::string_view text, std::string_view file_name, double unit_mm,
+                                           std::string_view axes, machine::MachineData& data,
+                                           TableNotes& notes) {
+    Tools tools(unit_mm, axes, data, notes);
+    return each_line(text, file_name, [&](std::string_view line) { return tools.take(line); });
+}
+
+}  // namespace gsim::import

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "controller/services/types.h"
+#include "machine/model/machine.h"
+
+namespace gsim::machine {
+
+/// A frame as a matrix, in mm.
+rrs::CartPos frame_pose(const Frame& frame);
+
+}  // namespace gsim::machine

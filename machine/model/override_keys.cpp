@@ -1,0 +1,107 @@
+#include "machine/model/override_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "base/toml/toml_section.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
+
+using rrs::OverrideRules;
+
+struct OverrideNumber {
+    std::string_view key;
+    double OverrideRules::*value;
+    NumberRule rule;
+};
+
+constexpr std::string_view kRapidPercents = "rapid_percents";
+constexpr std::string_view kFeedOfProbes = "feed_of_probes";
+
+constexpr std::array kOverrideNumbers{
+    OverrideNumber{"feed_min_percent", &OverrideRules::feed_min_percent, NumberRule::not_negative},
+    OverrideNumber{"feed_max_percent", &OverrideRules::feed_max_percent, NumberRule::positive},
+    OverrideNumber{"rapid_max_percent", &OverrideRules::rapid_max_percent, NumberRule::percent},
+    OverrideNumber{"spindle_min_percent", &OverrideRules::spindle_min_percent, NumberRule::not_negative},
+    OverrideNumber{"spindle_max_percent", &OverrideRules::spindle_max_percent, NumberRule::positive},
+    OverrideNumber{"planned_feed_percent", &OverrideRules::planned_feed_percent, NumberRule::positive},
+    OverrideNumber{"delay_s", &OverrideRules::delay_s, NumberRule::not_negative},
+};
+
+constexpr auto kOverrideKeys = [] {
+    std::array<std::string_view, kOverrideNumbers.size() + 2> keys{kRapidPercents, kFeedOfProbes};
+    std::size_t end = 2;
+    for (const OverrideNumber& percent : kOverrideNumbers) keys[end++] = percent.key;
+    return keys;
+}();
+
+/// Rising values above 0 and up to 100.
+std::vector<double> read_rapid_percents(TomlSection& section, const std::vector<double>& fallback) {
+    if (!section.has(kRapidPercents)) return fallback;
+    const toml::array* array = section.require(kRapidPercents)->as_array();
+    std::vector<double> percents;
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        const double least = percents.empty() ? 0 : percents.back();
+        const auto value = (*array)[i].is_number() ? (*array)[i].value<double>() : std::nullopt;
+        if (!value || !(*value > least && *value <= 100)) {
+            array = nullptr;
+        } else {
+            percents.push_back(*value);
+        }
+    }
+    if (array != nullptr) return percents;
+    section.fail(kRapidPercents, fmt::format("'{}' must be an array of numbers that rise, above 0 and up to "
+                                             "100",
+                                             kRapidPercents));
+    return fallback;
+}
+
+void check_range(TomlSection& section, std::string_view key, double least, double most) {
+    if (least <= most) return;
+    section.fail(key, fmt::format("'{}' is {}, above the greatest value of {}", key, least, most));
+}
+
+}  // namespace
+
+void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
+    auto section = controller.section(kOverridesKey, "[controller.overrides]", kOverrideKeys);
+    if (!section) return;
+    OverrideRules& overrides = rules.overrides;
+    for (const auto& [key, value, rule] : kOverrideNumbers)
+        overrides.*value = section->number(key, overrides.*value, rule);
+    overrides.rapid_percents = read_rapid_percents(*section, overrides.rapid_percents);
+    overrides.feed_of_probes = section->flag(kFeedOfProbes, overrides.feed_of_probes);
+    check_range(*section, "feed_min_percent", overrides.feed_min_percent, overrides.feed_max_percent);
+    check_range(*section, "spindle_min_percent", overrides.spindle_min_percent,
+                overrides.spindle_max_percent);
+}
+
+void print_overrides(TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
+    const OverrideRules& now = rules.overrides;
+    std::vector<std::string> entries;
+    for (const auto& [key, value, rule] : kOverrideNumbers) {
+        if (now.*value != base.overrides.*value)
+            entries.push_back(fmt::format("{} = {}", key, base::toml_number(now.*value)));
+    }
+    if (now.rapid_percents != base.overrides.rapid_percents) {
+        std::vector<std::string> percents;
+        for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
+        entries.push_back(fmt::format("{} = [{}]", kRapidPercents, text::joined(percents, ", ")));
+    }
+    if (now.feed_of_probes != base.overrides.feed_of_probes)
+        entries.push_back(fmt::format("{} = {}", kFeedOfProbes, now.feed_of_probes));
+    if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
+}
+
+}  // namespace gsim::machine
