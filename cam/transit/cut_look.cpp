@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "runtime/cell/clearance_watch.h"
+#include "collision/monitor/clearance_watch.h"
 
 namespace gsim::transit {
 

@@ -8,8 +8,8 @@
 #include <tl/expected.hpp>
 
 #include "cam/transit/way_search.h"
+#include "collision/monitor/clear_way.h"
 #include "motion/planner/planner_setup.h"
-#include "runtime/cell/clear_way.h"
 
 namespace gsim::transit {
 

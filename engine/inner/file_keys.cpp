@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/text/json.h"
+#include "collision/cell/cell_guide.h"
 #include "machine/schema/key_guide.h"
-#include "runtime/cell/cell_guide.h"
 
 namespace gsim::engine {
 

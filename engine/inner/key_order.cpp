@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "collision/cell/cell_guide.h"
 #include "machine/schema/key_guide.h"
-#include "runtime/cell/cell_guide.h"
 
 namespace gsim::engine {
 

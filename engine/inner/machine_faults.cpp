@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "collision/cell/cell_file.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_input.h"
 #include "engine/inner/run_inputs.h"
 #include "engine/inner/values.h"
-#include "runtime/cell/cell_file.h"
 
 namespace gsim::engine {
 

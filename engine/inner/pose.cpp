@@ -7,11 +7,11 @@
 
 #include "base/text/number.h"
 #include "base/units.h"
+#include "collision/monitor/touching.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/values.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/cell/touching.h"
 
 namespace gsim::engine {
 

@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "collision/cell/machine_shapes.h"
 #include "engine/inner/language.h"
 #include "engine/inner/machine_input.h"
 #include "engine/inner/override_changes.h"
 #include "engine/inner/process_words.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/word_table.h"
-#include "runtime/cell/machine_shapes.h"
 #include "runtime/simulation/machine_dynamics.h"
 
 namespace gsim::engine {

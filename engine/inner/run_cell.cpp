@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/machine_shapes.h"
+#include "collision/cell/cell_file.h"
+#include "collision/cell/machine_shapes.h"
 
 namespace gsim::engine {
 

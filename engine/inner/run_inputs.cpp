@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "collision/cell/cell_file.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/language.h"
 #include "engine/inner/override_changes.h"
 #include "engine/inner/probe_choice.h"
 #include "engine/inner/process_words.h"
 #include "engine/inner/variables_text.h"
-#include "runtime/cell/cell_file.h"
 
 namespace gsim::engine {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/cell/joint_box_search.h"
+#include "collision/pairs/joint_box_search.h"
 #include "runtime/check/axis_motion.h"
 #include "runtime/check/inverse_check.h"
 #include "runtime/check/singular_check.h"

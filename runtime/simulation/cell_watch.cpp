@@ -7,8 +7,8 @@
 
 #include "base/text/format.h"
 #include "base/text/nearest_name.h"
+#include "collision/pairs/meeting_pairs.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/cell/meeting_pairs.h"
 #include "runtime/simulation/cell_findings.h"
 
 namespace gsim::simulation {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "collision/monitor/clearance_watch.h"
+#include "collision/monitor/touch_search.h"
 #include "motion/path/machine_frames.h"
-#include "runtime/cell/clearance_watch.h"
-#include "runtime/cell/touch_search.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
 

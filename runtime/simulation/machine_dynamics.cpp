@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "collision/cell/body_mass.h"
 #include "machine/model/frame_pose.h"
 #include "machine/model/torque_limit.h"
 #include "motion/dynamics/effort_limits.h"
-#include "runtime/cell/body_mass.h"
 
 namespace gsim::simulation {
 

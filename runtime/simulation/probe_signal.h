@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "collision/monitor/touch_search.h"
 #include "motion/segment/segment.h"
-#include "runtime/cell/touch_search.h"
 
 namespace gsim::simulation {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/cell/neighbour_watch.h"
+#include "collision/monitor/neighbour_watch.h"
 #include "runtime/simulation/robots_report.h"
 #include "runtime/simulation/simulator.h"
 

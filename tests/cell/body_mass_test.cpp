@@ -1,5 +1,5 @@
 // Masses of bodies of even density.
-#include "runtime/cell/body_mass.h"
+#include "collision/cell/body_mass.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,11 +1,11 @@
 // Things of a cell that go by themselves: on conveyors, or led by the program.
 
-#include "runtime/cell/carrier.h"
+#include "collision/cell/carrier.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/clearance_watch.h"
+#include "collision/cell/cell_file.h"
+#include "collision/monitor/clearance_watch.h"
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 

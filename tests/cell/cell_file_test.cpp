@@ -1,4 +1,4 @@
-#include "runtime/cell/cell_file.h"
+#include "collision/cell/cell_file.h"
 
 #include <random>
 
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/meeting_pairs.h"
+#include "collision/pairs/meeting_pairs.h"
 #include "tests/cell/segments.h"
 
 namespace gsim::cell::cell_file_test {

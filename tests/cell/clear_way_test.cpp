@@ -1,4 +1,4 @@
-#include "runtime/cell/clear_way.h"
+#include "collision/monitor/clear_way.h"
 
 #include <cmath>
 #include <random>
@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/clearance_watch.h"
+#include "collision/cell/cell_file.h"
+#include "collision/monitor/clearance_watch.h"
 #include "tests/cell/segments.h"
 
 namespace gsim::cell::clear_way_test {

@@ -1,11 +1,11 @@
-#include "runtime/cell/clearance_watch.h"
+#include "collision/monitor/clearance_watch.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/cell_file.h"
+#include "collision/cell/cell_file.h"
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/cell/frame_tree.h"
+#include "collision/cell/frame_tree.h"
 
 #include <gtest/gtest.h>
 

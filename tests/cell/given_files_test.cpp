@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "base/os/files.h"
+#include "collision/cell/cell_file.h"
+#include "collision/cell/machine_shapes.h"
 #include "machine/file/machine_file.h"
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/machine_shapes.h"
 
 namespace gsim::cell::given_files_test {
 namespace {

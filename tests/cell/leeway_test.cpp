@@ -1,8 +1,8 @@
-#include "runtime/cell/leeway.h"
+#include "collision/pairs/leeway.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/cell/segment_motion.h"
+#include "collision/pairs/segment_motion.h"
 #include "tests/cell/random_motion.h"
 
 namespace gsim::cell::leeway_test {

@@ -1,8 +1,8 @@
-#include "runtime/cell/motion_bound.h"
+#include "collision/pairs/motion_bound.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/cell/segment_motion.h"
+#include "collision/pairs/segment_motion.h"
 #include "tests/cell/random_motion.h"
 
 namespace gsim::cell::motion_bound_test {

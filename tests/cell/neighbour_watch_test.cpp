@@ -1,4 +1,4 @@
-#include "runtime/cell/neighbour_watch.h"
+#include "collision/monitor/neighbour_watch.h"
 
 #include <cmath>
 #include <utility>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/cell/cell_file.h"
+#include "collision/cell/cell_file.h"
 #include "tests/cell/random_motion.h"
 
 namespace gsim::cell::neighbour_watch_test {

@@ -1,12 +1,12 @@
-#include "runtime/cell/separation.h"
+#include "collision/pairs/separation.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "collision/cell/machine_shapes.h"
+#include "collision/pairs/meeting_pairs.h"
 #include "machine/model/joint_box.h"
-#include "runtime/cell/machine_shapes.h"
-#include "runtime/cell/meeting_pairs.h"
 #include "tests/build_files/build_files.h"
 #include "tests/cell/segments.h"
 

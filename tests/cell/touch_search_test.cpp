@@ -1,10 +1,10 @@
-#include "runtime/cell/touch_search.h"
+#include "collision/monitor/touch_search.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "runtime/cell/cell_file.h"
+#include "collision/cell/cell_file.h"
 #include "tests/cell/segments.h"
 
 namespace gsim::cell::touch_search_test {

@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "collision/cell/machine_shapes.h"
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/dh_chain.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/cell/machine_shapes.h"
 #include "runtime/check/machine_check.h"
 #include "tests/build_files/build_files.h"
 

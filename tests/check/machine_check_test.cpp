@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
+#include "collision/cell/machine_shapes.h"
 #include "machine/file/machine_file.h"
-#include "runtime/cell/machine_shapes.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::check::machine_check_test {

@@ -10,9 +10,9 @@
 
 #include "base/text/json.h"
 #include "base/toml/toml_edit.h"
+#include "collision/cell/cell_file.h"
 #include "machine/file/controller_file.h"
 #include "machine/file/machine_file.h"
-#include "runtime/cell/cell_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/engine/keyed_documents.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "collision/cell/cell_file.h"
 #include "engine/inner/override_changes.h"
 #include "machine/file/machine_file.h"
-#include "runtime/cell/cell_file.h"
 #include "runtime/process/robots_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"

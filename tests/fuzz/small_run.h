@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "collision/cell/cell.h"
 #include "controller/module/rcs_host.h"
 #include "machine/model/machine.h"
 #include "motion/planner/override_schedule.h"
-#include "runtime/cell/cell.h"
 #include "runtime/simulation/report.h"
 #include "tests/fuzz/target.h"
 

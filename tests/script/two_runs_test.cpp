@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "collision/cell/cell_file.h"
 #include "engine/inner/word_table.h"
-#include "runtime/cell/cell_file.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/report.h"
 #include "tests/lua_lib/run.h"

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "collision/cell/cell_file.h"
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 #include "motion/services/default_planner.h"
-#include "runtime/cell/cell_file.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "collision/cell/cell_file.h"
+#include "collision/monitor/clearance_watch.h"
 #include "machine/file/machine_file.h"
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/clearance_watch.h"
 #include "runtime/path/validate.h"
 #include "runtime/simulation/simulator.h"
 

@@ -1,0 +1,150 @@
+#include "collision/cell/body_mass.h"
+
+#include <map>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace gsim::cell {
+
+using dynamics::RigidBody;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+using Made = tl::expected<RigidBody, std::string>;
+
+constexpr double kMetresPerMm = 1e-3;
+constexpr double kPi = std::numbers::pi;
+
+RigidBody centred(double mass_kg, double xx, double yy, double zz) {
+    return {.mass_kg = mass_kg, .inertia_kg_m2 = Vector3d(xx, yy, zz).asDiagonal()};
+}
+
+RigidBody round(double mass_kg, double across, double along) {
+    return centred(mass_kg, across, across, along);
+}
+
+Made make(const machine::BoxShape& box, double density, const MeshFiles& /*files*/) {
+    const double x = box.x_mm * kMetresPerMm;
+    const double y = box.y_mm * kMetresPerMm;
+    const double z = box.z_mm * kMetresPerMm;
+    const double mass_kg = density * x * y * z;
+    const double share = mass_kg / 12;
+    return centred(mass_kg, share * (y * y + z * z), share * (z * z + x * x), share * (x * x + y * y));
+}
+
+Made make(const machine::CylinderShape& cylinder, double density, const MeshFiles& /*files*/) {
+    const double r = cylinder.diameter_mm * kMetresPerMm / 2;
+    const double h = cylinder.height_mm * kMetresPerMm;
+    const double mass_kg = density * kPi * r * r * h;
+    return round(mass_kg, mass_kg * (3 * r * r + h * h) / 12, mass_kg * r * r / 2);
+}
+
+Made make(const machine::SphereShape& sphere, double density, const MeshFiles& /*files*/) {
+    const double r = sphere.diameter_mm * kMetresPerMm / 2;
+    const double mass_kg = density * 4 / 3 * kPi * r * r * r;
+    return round(mass_kg, 0.4 * mass_kg * r * r, 0.4 * mass_kg * r * r);
+}
+
+// Halves of a sphere have their centres 3/8 of the radius from the flat side; about that side's middle they
+// turn as a whole sphere of their mass.
+Made make(const machine::CapsuleShape& capsule, double density, const MeshFiles& files) {
+    const double r = capsule.diameter_mm * kMetresPerMm / 2;
+    const double h = capsule.height_mm * kMetresPerMm;
+    const RigidBody rod =
+        *make(machine::CylinderShape{capsule.diameter_mm, capsule.height_mm}, density, files);
+    const RigidBody ball = *make(machine::SphereShape{capsule.diameter_mm}, density, files);
+    const double shift = h * h / 4 + 2 * (3.0 / 8 * r) * (h / 2);
+    return round(rod.mass_kg + ball.mass_kg,
+                 rod.inertia_kg_m2(0, 0) + ball.inertia_kg_m2(0, 0) + ball.mass_kg * shift,
+                 rod.inertia_kg_m2(2, 2) + ball.inertia_kg_m2(2, 2));
+}
+
+/// The corners of a triangle in the order of its file.
+using Corners = std::array<Vector3d, 3>;
+
+template <typename Take>
+void for_each_triangle(const TriangleMesh& mesh, const Take& take) {
+    for (const TriangleMesh::Node& node : mesh.nodes()) {
+        if (node.is_leaf())
+            take(Corners{node.triangle.points[0], node.triangle.points[1], node.triangle.points[2]});
+    }
+}
+
+/// A place at which the surface is open: the start of an edge that no triangle has the other way round.
+std::optional<Vector3d> find_open_edge(const TriangleMesh& mesh) {
+    using Point = std::array<double, 3>;
+    const auto point = [](const Vector3d& v) { return Point{v.x(), v.y(), v.z()}; };
+    std::map<std::pair<Point, Point>, int> edges;  // how many run up, less those that run down
+    for_each_triangle(mesh, [&](const Corners& corners) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point from = point(corners[i]);
+            const Point to = point(corners[(i + 1) % 3]);
+            if (from < to) ++edges[{from, to}];
+            if (to < from) --edges[{to, from}];
+        }
+    });
+    for (const auto& [edge, count] : edges) {
+        if (count != 0) return Vector3d(edge.first[0], edge.first[1], edge.first[2]);
+    }
+    return std::nullopt;
+}
+
+/// Sums over the tetrahedra from a middle to each triangle: det / 6 is the volume of one, det / 24 times the
+/// sum of its corners its first moment, and the second one det / 120 (s s^T + a a^T + b b^T + c c^T).
+RigidBody enclosed(const TriangleMesh& mesh, double density) {
+    Vector3d middle = Vector3d::Zero();
+    for (const Vector3d& vertex : mesh.vertices_mm()) middle += vertex;
+    middle /= static_cast<double>(mesh.vertices_mm().size());
+    double volume = 0;
+    Vector3d first = Vector3d::Zero();
+    Matrix3d second = Matrix3d::Zero();
+    for_each_triangle(mesh, [&](const Corners& corners) {
+        const Vector3d a = kMetresPerMm * (corners[0] - middle);
+        const Vector3d b = kMetresPerMm * (corners[1] - middle);
+        const Vector3d c = kMetresPerMm * (corners[2] - middle);
+        const double det = a.dot(b.cross(c));
+        const Vector3d sum = a + b + c;
+        volume += det / 6;
+        first += det / 24 * sum;
+        second +=
+            det / 120 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    });
+    if (volume < 0) {  // turned inside out as a whole
+        volume = -volume;
+        first = -first;
+        second = -second;
+    }
+    if (!(volume > 0)) return {};
+    const Vector3d centre = first / volume;
+    const Matrix3d spread = density * (second - volume * centre * centre.transpose());
+    return {.mass_kg = density * volume,
+            .centre_m = kMetresPerMm * middle + centre,
+            .inertia_kg_m2 = spread.trace() * Matrix3d::Identity() - spread};
+}
+
+Made make(const machine::MeshShape& shape, double density, const MeshFiles& files) {
+    const auto mesh = load_mesh(shape.file, shape.scale, shape.tolerance_mm, files);
+    if (!mesh) return tl::unexpected(mesh.error());
+    if (const auto open = find_open_edge(**mesh)) {
+        return tl::unexpected(
+            fmt::format("{}: the surface is not closed, so that it encloses no mass: an edge at {:.6g} "
+                        "{:.6g} {:.6g} has a "
+                        "triangle on one side alone",
+                        shape.file.string(), open->x(), open->y(), open->z()));
+    }
+    return enclosed(**mesh, density);
+}
+
+}  // namespace
+
+tl::expected<RigidBody, std::string> mass_of(const machine::ShapeForm& form, double density_kg_m3,
+                                             const MeshFiles& files) {
+    return std::visit([&](const auto& of) { return make(of, density_kg_m3, files); }, form);
+}
+
+}  // namespace gsim::cell

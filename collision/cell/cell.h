@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision/cell/carrier.h"
+#include "collision/cell/frame_tree.h"
+#include "geometry/distance/shape.h"
+
+namespace gsim::cell {
+
+/// What a body is to the tool: the jet may cut workpieces, and is there only while it is on.
+enum class Role : std::uint8_t { machine, jet, workpiece, fixture };
+
+/// A body of the cell: an object, a part of the machine, or the jet.
+struct Item {
+    std::string name;
+    Role role;
+    Shape shape;
+    std::size_t frame;  ///< Of the shape, in the cell's FrameTree.
+};
+
+/// What stands round a machine, and the shapes of its own parts. Read from a cell file; see
+/// docs/cell-file.md.
+struct Cell {
+    std::string name = {};
+    double clearance_mm = 0;  ///< Bodies that come nearer to each other are reported.
+    FrameTree frames;
+    std::vector<Item> items = {};
+    /// Frames that go by themselves, in the order of their links.
+    std::vector<CarriedFrame> carried = {};
+    std::size_t replaced = 0;  ///< Shapes of the machine file in whose place the cell has others.
+    /// Pairs of items, as indices, that may touch each other.
+    std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
+
+    /// A frame that goes by itself from now on; it stands at first.
+    void carry(std::size_t frame, bool conveyor) {
+        const auto behind = std::find_if(carried.begin(), carried.end(),
+                                         [frame](const CarriedFrame& one) { return one.frame > frame; });
+        carried.insert(behind, {frame, conveyor, Carrier(frames.in_parent(frame))});
+        frames.carry(frame);
+    }
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "collision/cell/link_frames.h"
+#include "machine/model/machine.h"
+
+namespace gsim::cell {
+
+/// The named frames of a cell, each attached to another one. Those of the machine come first: "world", "base"
+/// (of the joints that carry the tool), a letter for the link behind each axis, "tool" and "work". Of these
+/// "base" alone can be moved, and the machine with it (placed_kinematics()).
+class FrameTree {
+  public:
+    explicit FrameTree(const machine::Machine& machine);
+
+    std::optional<std::size_t> find(std::string_view name) const;
+    const std::string& name(std::size_t frame) const { return frames_[frame].name; }
+    std::size_t base() const { return base_; }
+    bool is_of_machine(std::size_t frame) const { return frame < machine_frames_; }
+    /// A frame attached to `parent`, which exists. The name must be new.
+    std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& in_parent);
+
+    /// Relative to what the frame is attached to (mm).
+    const rrs::CartPos& in_parent(std::size_t frame) const { return frames_[frame].in_parent; }
+    /// Moves base(), or a frame that is not the machine's, and with it all that is attached to it.
+    void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
+
+    /// A frame that is not the machine's goes by itself from now on, and with it what is attached to it, as a
+    /// link of its own. Such links are numbered behind the machine's, in the order of their frames, so that
+    /// each stands behind the one in which it goes.
+    void carry(std::size_t frame);
+    /// What the frame is attached to.
+    std::size_t parent(std::size_t frame) const { return frames_[frame].parent; }
+
+    /// The link that the frame moves with, as LinkFrames numbers them.
+    int link(std::size_t frame) const { return frames_[frame].link; }
+    /// Relative to that link.
+    rrs::CartPos in_link(std::size_t frame) const;
+    rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const;
+    /// The frames' names, those of the machine first.
+    std::vector<std::string_view> names() const;
+
+  private:
+    struct Frame {
+        std::string name;
+        std::size_t parent;
+        rrs::CartPos in_parent;
+        int link;
+        bool is_link = false;  ///< The frame is where its link is.
+    };
+
+    // Lets names be looked up without making strings of them.
+    struct NameHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>()(name); }
+    };
+
+    void put(Frame frame);
+
+    std::vector<Frame> frames_;
+    std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>>
+        by_name_;  ///< The first of a name.
+    std::size_t base_ = 0;
+    int machine_links_ = 0;
+    std::size_t machine_frames_ = 0;
+};
+
+}  // namespace gsim::cell

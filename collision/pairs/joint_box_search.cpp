@@ -1,0 +1,244 @@
+#include "collision/pairs/joint_box_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "collision/pairs/separation.h"
+
+namespace gsim::cell {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kSamples = 1024;
+constexpr int kMaxConvexParts = 50'000;  // of the box, for one pair of convex bodies ...
+constexpr int kMaxMeshParts = 5'000;     // ... or with a mesh, whose distances take longer
+constexpr double kFar_mm = std::numeric_limits<double>::infinity();
+
+/// A part of the joint box by its middle, half its size, and a distance that it does not fall below.
+struct JointBoxPart {
+    rrs::JointPos middle;
+    rrs::JointPos half;
+    double lower_mm;
+
+    bool operator<(const JointBoxPart& other) const { return lower_mm > other.lower_mm; }  // nearest first
+};
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+constexpr double kCoaxial = 1e-9;  // of a direction, and of mm
+
+// Whether a body that lies next to a joint looks the same at all its values.
+bool is_round_about(const Body& body, const LinkFrames& links, const JointAxis& axis) {
+    const Convex* convex = body.shape->convex();
+    if (convex == nullptr || convex->core == Convex::Core::box || axis.kind == rrs::JointKind::prismatic)
+        return false;
+    const Eigen::Isometry3d pose = body.in_world(links);
+    const auto is_along = [&](const Eigen::Vector3d& vector) {
+        return axis.direction.cross(vector).norm() < kCoaxial;
+    };
+    const bool sphere = convex->core == Convex::Core::points && convex->point_count == 1;
+    return is_along(pose.translation() - axis.point_mm) && (sphere || is_along(pose.linear().col(2)));
+}
+
+// The joints that change the distance of two bodies: a joint about which a body is round does not, if it is
+// the one next to it.
+std::vector<int> moving_joints(const BodyPair& bodies, const kinematics::Kinematics& kinematics,
+                               const rrs::JointPos& home) {
+    const LinkFrames links = link_frames(kinematics, home);
+    const std::vector<JointAxis> axes = joint_axes(kinematics, home);
+    const auto turns_nothing = [&](const Body& body, int joint) {
+        return is_round_about(body, links, axes[static_cast<std::size_t>(joint)]);
+    };
+    std::vector<int> joints = bodies.between;
+    while (joints.size() > 1 && turns_nothing(bodies.first, joints.front())) joints.erase(joints.begin());
+    while (joints.size() > 1 && turns_nothing(bodies.second, joints.back())) joints.pop_back();
+    return joints;
+}
+
+class PairSearch {
+  public:
+    PairSearch(const kinematics::Kinematics& kinematics, const MeetingPair& pair,
+               const machine::JointBox& box, const rrs::JointPos& home)
+        : kinematics_(kinematics),
+          bodies_(pair.bodies),
+          joints_(moving_joints(pair.bodies, kinematics, home)),
+          backwards_(joints_.rbegin(), joints_.rend()),
+          box_(box),
+          home_(home),
+          finding_{pair.items, Verdict::undecided, kFar_mm, home, 0} {}
+
+    MeetingFinding run() {
+        sample();
+        if (finding_.contact_share == 0) descend();
+        if (finding_.nearest_mm <= kContact_mm) {
+            finding_.verdict = Verdict::contact;
+        } else {
+            divide();
+        }
+        return finding_;
+    }
+
+  private:
+    // Joints that do not change the distance stay at home.
+    rrs::JointPos sample_joints(int number) const {
+        rrs::JointPos joints = home_;
+        const rrs::JointPos shares = machine::halton_point(number, static_cast<int>(joints_.size()));
+        Eigen::Index i = 0;
+        for (const int joint : joints_)
+            joints[joint] = box_.low[joint] + shares[i++] * (box_.high[joint] - box_.low[joint]);
+        return joints;
+    }
+
+    // By the shares of the joints' ranges.
+    double from_home(const rrs::JointPos& joints) const {
+        double sum = 0;
+        for (const int joint : joints_) {
+            const double range = box_.high[joint] - box_.low[joint];
+            if (range > 0) sum += std::abs(joints[joint] - home_[joint]) / range;
+        }
+        return sum;
+    }
+
+    void sample() {
+        int contacts = 0;
+        double nearest_home = kFar_mm;
+        for (int number = 0; number <= kSamples; ++number) {
+            const rrs::JointPos joints = number == 0 ? home_ : sample_joints(number);
+            const double enough_mm = contacts > 0 ? 2 * kContact_mm : finding_.nearest_mm;
+            const Nearness here = bodies_.nearness_at(link_frames(kinematics_, joints), enough_mm);
+            if (here.upper_mm <= kContact_mm) {
+                ++contacts;
+                const double way = from_home(joints);
+                if (way >= nearest_home) continue;
+                nearest_home = way;
+                finding_.nearest_mm = here.upper_mm;
+                finding_.joints = joints;
+            } else if (contacts == 0) {
+                note(here.upper_mm, joints);
+            }
+        }
+        finding_.contact_share = static_cast<double>(contacts) / (kSamples + 1);
+    }
+
+    // From the nearest sample on, joint by joint, in steps that are halved where none leads nearer.
+    void descend() {
+        for (double share = 0.125; share > 1e-5 && finding_.nearest_mm > kContact_mm;) {
+            const double before = finding_.nearest_mm;
+            for (const int joint : joints_) {
+                for (const double sense : {-share, share}) {
+                    rrs::JointPos joints = finding_.joints;
+                    const double way = sense * (box_.high[joint] - box_.low[joint]);
+                    joints[joint] = std::clamp(joints[joint] + way, box_.low[joint], box_.high[joint]);
+                    const LinkFrames links = link_frames(kinematics_, joints);
+                    note(bodies_.nearness_at(links, finding_.nearest_mm).upper_mm, joints);
+                }
+            }
+            if (finding_.nearest_mm > 0.99 * before) share /= 2;
+        }
+    }
+
+    void note(double distance_mm, const rrs::JointPos& joints) {
+        if (!(distance_mm < finding_.nearest_mm)) return;
+        finding_.nearest_mm = distance_mm;
+        finding_.joints = joints;
+    }
+
+    void divide() {
+        std::priority_queue<JointBoxPart> waiting;
+        JointBoxPart whole{home_, rrs::JointPos::Zero(home_.size()), 0};
+        for (const int joint : joints_) {
+            whole.middle[joint] = (box_.low[joint] + box_.high[joint]) / 2;
+            whole.half[joint] = (box_.high[joint] - box_.low[joint]) / 2;
+        }
+        const bool meshes =
+            bodies_.first.shape->triangles() != nullptr || bodies_.second.shape->triangles() != nullptr;
+        waiting.push(whole);
+        for (int parts = meshes ? kMaxMeshParts : kMaxConvexParts; !waiting.empty() && parts > 0; --parts) {
+            const JointBoxPart next = waiting.top();
+            waiting.pop();
+            const auto [joint, lower_mm] = look(next);
+            if (finding_.verdict == Verdict::contact) return;
+            if (lower_mm > kContact_mm) continue;
+            for (const double side : {-0.5, 0.5}) {
+                JointBoxPart part = next;
+                part.lower_mm = lower_mm;
+                part.middle[joint] += side * next.half[joint];
+                part.half[joint] /= 2;
+                waiting.push(std::move(part));
+            }
+        }
+        if (waiting.empty()) finding_.verdict = Verdict::free;
+    }
+
+    struct Look {
+        int joint;  ///< Where the part is best divided.
+        double lower_mm;
+    };
+
+    Look look(const JointBoxPart& part) {
+        const LinkFrames links = link_frames(kinematics_, part.middle);
+        const std::vector<JointAxis> axes = joint_axes(kinematics_, part.middle);
+        const Ball first = bodies_.first.ball(links);
+        const Ball second = bodies_.second.ball(links);
+        JointTravel travel;
+        for (const int joint : joints_) travel.way[static_cast<std::size_t>(joint)] = part.half[joint];
+        const ChainMotion chain(axes, travel);
+        const double way_mm =
+            std::min(chain.bound(first, joints_).way_mm, chain.bound(second, backwards_).way_mm);
+        const Gap here = gap_at(links, way_mm + 2 * kContact_mm);
+        if (here.upper_mm < way_mm + 2 * kContact_mm) note(here.upper_mm, part.middle);
+        if (here.upper_mm <= kContact_mm) finding_.verdict = Verdict::contact;
+        Look found{joints_.front(), std::max(part.lower_mm, here.lower_mm - way_mm)};
+        if (here.upper_mm <= kContact_mm || found.lower_mm > kContact_mm) return found;
+        // From the second body to the first, where they are nearest.
+        const Vector3d across =
+            (bodies_.second.in_world(links).linear() * (here.on_first - here.on_second)).normalized();
+        const JointPart ways{axes, part.half};
+        const std::vector<double> of_first = ways_along_mm(first, ways, joints_, across);
+        std::vector<double> of_second = ways_along_mm(second, ways, backwards_, -across);
+        std::reverse(of_second.begin(), of_second.end());
+        const bool first_is_less = sum(of_first) < sum(of_second);
+        const std::vector<double>& least = first_is_less ? of_first : of_second;
+        const double gap_mm = gap_along_mm(bodies_.first, bodies_.second, links, across);
+        found.lower_mm = std::max(found.lower_mm, gap_mm - sum(least));
+        found.joint =
+            joints_[static_cast<std::size_t>(std::max_element(least.begin(), least.end()) - least.begin())];
+        return found;
+    }
+
+    // In the frame of the second body.
+    Gap gap_at(const LinkFrames& links, double enough_mm) const {
+        const Eigen::Isometry3d pose =
+            bodies_.second.in_world(links).inverse() * bodies_.first.in_world(links);
+        return gap_between(*bodies_.first.shape, pose, *bodies_.second.shape, enough_mm);
+    }
+
+    const kinematics::Kinematics& kinematics_;
+    const BodyPair& bodies_;
+    std::vector<int> joints_;  ///< Those that change the distance of the two.
+    std::vector<int> backwards_;
+    const machine::JointBox& box_;
+    const rrs::JointPos& home_;
+    MeetingFinding finding_;
+};
+
+}  // namespace
+
+std::vector<MeetingFinding> search_joint_box(const Cell& cell, const machine::Machine& machine,
+                                             const machine::JointBox& box) {
+    const auto kinematics = machine::make_kinematics(machine);
+    const rrs::JointPos home = machine::home_position(machine);
+    std::vector<MeetingFinding> findings;
+    for (const MeetingPair& pair : meeting_pairs(cell, *kinematics)) {
+        if (!pair.with_jet) findings.push_back(PairSearch(*kinematics, pair, box, home).run());
+    }
+    return findings;
+}
+
+}  // namespace gsim::cell

@@ -1,0 +1,142 @@
+#include "collision/pairs/motion_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gsim::cell {
+
+namespace {
+
+constexpr double kOrthogonal = 1e-9;
+
+/// How far a body's points are from an axis at most.
+double reach(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
+    return axis.cross(body.middle_mm - point_mm).norm() + body.radius_mm;
+}
+
+/// Prismatic joints that follow each other: together they go as their ways add up at right angles, or, where
+/// they are not at right angles, one behind the other.
+class Slides {
+  public:
+    void add(const Eigen::Vector3d& direction, double way_mm) {
+        for (int i = 0; i < count_; ++i) {
+            if (std::abs(directions_[static_cast<std::size_t>(i)].dot(direction)) > kOrthogonal)
+                orthogonal_ = false;
+        }
+        if (count_ == 3) {
+            orthogonal_ = false;
+        } else {
+            directions_[static_cast<std::size_t>(count_++)] = direction;
+        }
+        sum_ += way_mm;
+        square_ += way_mm * way_mm;
+    }
+    /// An arc in the space of some of the joints: its length counts for all of them.
+    void add_arc(double way_mm) {
+        if (has_arc_) return;
+        has_arc_ = true;
+        sum_ += way_mm;
+        square_ += way_mm * way_mm;
+    }
+    double way_mm() const { return orthogonal_ ? std::sqrt(square_) : kSkewedArc * sum_; }
+
+  private:
+    std::array<Eigen::Vector3d, 3> directions_;
+    int count_ = 0;
+    bool orthogonal_ = true;
+    bool has_arc_ = false;
+    double sum_ = 0;
+    double square_ = 0;
+};
+
+/// Adds up the joints from the body on.
+class BoundSum {
+  public:
+    explicit BoundSum(const Ball& body) : body_(body) {}
+
+    void slide(const Eigen::Vector3d& direction, double way_mm, double bend_mm) {
+        slides_.add(direction, way_mm);
+        slide_bends_.add(direction, bend_mm);
+    }
+    void slide_on_arc(double way_mm, double bend_mm) {
+        slides_.add_arc(way_mm);
+        slide_bends_.add_arc(bend_mm);
+    }
+    /// A slide in any direction.
+    void drift(double way_mm) {
+        end_slides();
+        bound_.way_mm += way_mm;
+    }
+    void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double bend) {
+        end_slides();
+        const double reach_mm = reach(body_, point_mm, axis) + bound_.way_mm;
+        second_order_ += angle * (2 * bound_.way_mm + angle * reach_mm);
+        bound_.bend_mm += bend * reach_mm;
+        bound_.way_mm += angle * reach_mm;
+    }
+    /// Slides that follow do not add up with those so far.
+    void end_slides() {
+        bound_.way_mm += slides_.way_mm();
+        bound_.bend_mm += slide_bends_.way_mm();
+        slides_ = slide_bends_ = {};
+    }
+    MotionBound result() {
+        end_slides();
+        bound_.bend_mm += second_order_ / 8;
+        return bound_;
+    }
+
+  private:
+    const Ball& body_;
+    MotionBound bound_;
+    double second_order_ = 0;
+    Slides slides_;
+    Slides slide_bends_;
+};
+
+}  // namespace
+
+MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) const {
+    BoundSum sum(body);
+    const ChainMotion* last = this;
+    for (const int joint : between) {
+        auto index = static_cast<std::size_t>(joint);
+        const ChainMotion* chain = this;
+        if (!second_.empty() && index >= axes_.size()) {
+            chain = &second_.front();
+            index -= axes_.size();
+        }
+        if (chain != last) sum.end_slides();  // slides of different machines are at no known angle
+        last = chain;
+        if (index >= chain->axes_.size()) {
+            const std::size_t own = index - chain->axes_.size();
+            const DriftTravel& drift = chain->drifted_[own / 2];
+            if (own % 2 == 0) {
+                sum.drift(drift.way_mm);
+            } else {
+                sum.turn(drift.origin_mm, drift.axis, drift.angle_rad, 0);
+            }
+            continue;
+        }
+        const JointAxis& axis = chain->axes_[index];
+        const JointTravel& travel = chain->travel_;
+        if (axis.kind == rrs::JointKind::prismatic) {
+            sum.slide(axis.direction, travel.way[index], travel.bend[index]);
+            if (travel.on_arc(static_cast<int>(index))) sum.slide_on_arc(travel.arc_mm, travel.arc_bend_mm);
+        } else {
+            sum.turn(axis.point_mm, axis.direction, travel.way[index], travel.bend[index]);
+        }
+    }
+    return sum.result();
+}
+
+void ChainMotion::widen(JointReach& reach_mm, const Ball& body, std::span<const int> between) const {
+    for (const int joint : between) {
+        const auto index = static_cast<std::size_t>(joint);
+        if (index >= axes_.size() || axes_[index].kind == rrs::JointKind::prismatic) continue;
+        reach_mm[index] =
+            std::max(reach_mm[index], reach(body, axes_[index].point_mm, axes_[index].direction));
+    }
+}
+
+}  // namespace gsim::cell

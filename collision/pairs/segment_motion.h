@@ -1,0 +1,28 @@
+#pragma once
+
+#include "collision/cell/carrier.h"
+#include "collision/pairs/link_motion.h"
+
+namespace gsim::cell {
+
+/// The motion of a machine's links in a segment, in s since its start, and of links that go by themselves
+/// meanwhile. All must outlive this.
+class SegmentMotion final : public LinkMotion {
+  public:
+    SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment,
+                  std::span<const DriftingLink> drifting = {})
+        : kinematics_(kinematics), segment_(segment), drifting_(drifting) {}
+
+    const motion::Segment& segment() const { return segment_; }
+    LinkFrames links_at(double t_s) const override;
+    MotionPart whole() const { return between(0, segment_.duration_s); }
+
+  private:
+    MotionPart part(double from_s, const LinkFrames& from, double to_s, const LinkFrames& to) const override;
+
+    const kinematics::Kinematics& kinematics_;
+    const motion::Segment& segment_;
+    std::span<const DriftingLink> drifting_;
+};
+
+}  // namespace gsim::cell
