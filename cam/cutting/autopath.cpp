@@ -7,7 +7,7 @@
 #include "cam/cutting/feeds.h"
 #include "cam/cutting/order.h"
 #include "cam/cutting/tour.h"
-#include "runtime/path/validate.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::cutting {
 

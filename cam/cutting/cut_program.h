@@ -6,7 +6,7 @@
 
 #include "cam/cutting/cut_rules.h"
 #include "cam/cutting/lead.h"
-#include "runtime/path/path.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::cutting {
 

@@ -12,7 +12,7 @@
 #include "cam/surface/surface_lead.h"
 #include "cam/surface/surface_program.h"
 #include "cam/surface/upright.h"
-#include "runtime/path/validate.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::surface {
 

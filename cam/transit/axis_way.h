@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "cam/transit/rapid_space.h"
-#include "runtime/path/axis_moves.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::transit {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/path/machine_space.h"
+#include "toolpath/rotary/machine_space.h"
 
 namespace gsim::transit {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "engine/inner/values.h"
-#include "runtime/path/json_writer.h"
 #include "runtime/simulation/moves_writer.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::engine {
 

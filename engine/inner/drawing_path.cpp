@@ -16,7 +16,7 @@
 #include "engine/inner/surface_input.h"
 #include "engine/inner/values.h"
 #include "geometry/mesh/mesh.h"
-#include "runtime/path/json_writer.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::engine {
 

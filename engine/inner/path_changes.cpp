@@ -6,8 +6,8 @@
 
 #include "base/units.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/path/changes.h"
-#include "runtime/path/machine_space.h"
+#include "toolpath/placement/changes.h"
+#include "toolpath/rotary/machine_space.h"
 
 namespace gsim::engine {
 

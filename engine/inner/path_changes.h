@@ -8,7 +8,7 @@
 #include "engine/path_translation.h"
 #include "machine/data/machine_data.h"
 #include "machine/model/machine.h"
-#include "runtime/path/place.h"
+#include "toolpath/model/place.h"
 
 namespace gsim::engine {
 

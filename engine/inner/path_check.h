@@ -9,7 +9,7 @@
 
 #include "codegen/post/action_words.h"
 #include "codegen/post/post.h"
-#include "runtime/path/axis_moves.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::engine {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "runtime/path/validate.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::engine {
 

@@ -9,8 +9,8 @@
 
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
-#include "runtime/path/axis_moves.h"
-#include "runtime/path/place.h"
+#include "toolpath/model/place.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::engine {
 

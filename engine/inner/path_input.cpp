@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "base/os/input_file.h"
-#include "runtime/path/json_reader.h"
 #include "runtime/script/path_script.h"
+#include "toolpath/json/json_reader.h"
 
 namespace gsim::engine {
 

@@ -8,7 +8,7 @@
 
 #include "codegen/post/post.h"
 #include "machine/data/machine_data.h"
-#include "runtime/path/place.h"
+#include "toolpath/model/place.h"
 
 namespace gsim::engine {
 

@@ -10,8 +10,8 @@
 #include "base/text/letter_case.h"
 #include "base/units.h"
 #include "engine/inner/path_check.h"
-#include "runtime/path/merged_lines.h"
-#include "runtime/path/touches.h"
+#include "toolpath/json/touches.h"
+#include "toolpath/rotary/merged_lines.h"
 
 namespace gsim::engine {
 

@@ -13,8 +13,8 @@
 #include "engine/inner/path_frames.h"
 #include "engine/path_translation.h"
 #include "machine/model/machine.h"
-#include "runtime/path/axis_moves.h"
-#include "runtime/path/place.h"
+#include "toolpath/model/place.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::engine {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "runtime/path/path.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::record {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/path/validate.h"
 #include "runtime/record/action_name.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::record {
 

@@ -10,10 +10,10 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/path/path.h"
 #include "runtime/record/path_builder.h"
 #include "runtime/record/tool_place.h"
 #include "runtime/simulation/program_observer.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::record {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "runtime/path/arc_shape.h"
 #include "runtime/record/path_recorder.h"
+#include "toolpath/model/arc_shape.h"
 
 namespace gsim::record {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "machine/model/machine.h"
-#include "runtime/path/path.h"
 #include "runtime/simulation/commands.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::record {
 

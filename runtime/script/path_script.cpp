@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "runtime/path/validate.h"
 #include "runtime/script/object_names.h"
 #include "runtime/script/path_values.h"
 #include "runtime/script/sandbox.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::script {
 

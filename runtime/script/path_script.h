@@ -5,8 +5,8 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/path/place.h"
 #include "runtime/script/lua_state.h"
+#include "toolpath/model/place.h"
 
 namespace gsim::script {
 

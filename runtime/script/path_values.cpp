@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/path/touches.h"
+#include "toolpath/json/touches.h"
 
 namespace gsim::script::path_values {
 

@@ -8,8 +8,8 @@
 #include <lua.hpp>
 #include <tl/expected.hpp>
 
-#include "runtime/path/path_draft.h"
-#include "runtime/path/target_draft.h"
+#include "toolpath/json/path_draft.h"
+#include "toolpath/json/target_draft.h"
 
 namespace gsim::script::path_values {
 

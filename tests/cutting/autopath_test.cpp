@@ -5,9 +5,9 @@
 #include "cam/cutting/lead.h"
 #include "geometry/planar/meet.h"
 #include "geometry/planar/nesting.h"
-#include "runtime/path/validate.h"
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::cutting::autopath_test {
 

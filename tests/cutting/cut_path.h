@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cam/drawing/drawing.h"
-#include "runtime/path/path.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::cutting {
 

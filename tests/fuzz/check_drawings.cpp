@@ -6,9 +6,9 @@
 #include "cam/drawing/dxf_reader.h"
 #include "cam/drawing/svg_reader.h"
 #include "geometry/planar/chain.h"
-#include "runtime/path/validate.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::fuzz {
 namespace {

@@ -8,11 +8,11 @@
 #include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
 #include "machine/file/machine_file.h"
-#include "runtime/path/json_reader.h"
-#include "runtime/path/json_writer.h"
 #include "runtime/script/path_script.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::fuzz {
 namespace {

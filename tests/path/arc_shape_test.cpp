@@ -1,4 +1,4 @@
-#include "runtime/path/arc_shape.h"
+#include "toolpath/model/arc_shape.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Machines whose tip is off the axes that turn it: the tip keeps to its lines and arcs while it turns.
-#include "runtime/path/axis_moves.h"
+#include "toolpath/rotary/axis_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "base/units.h"
 #include "machine/file/machine_file.h"
-#include "runtime/path/merged_lines.h"
 #include "tests/build_files/build_files.h"
+#include "toolpath/rotary/merged_lines.h"
 
 namespace gsim::path::axis_moves_test {
 namespace {

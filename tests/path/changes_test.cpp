@@ -1,5 +1,5 @@
 // A path that is put elsewhere, gone through in another order, at other feeds.
-#include "runtime/path/changes.h"
+#include "toolpath/placement/changes.h"
 
 #include <Eigen/Geometry>
 #include <fstream>
@@ -11,10 +11,10 @@
 
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/path/arc_shape.h"
-#include "runtime/path/json_reader.h"
 #include "tests/build_files/build_files.h"
 #include "tests/path/random_path.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/model/arc_shape.h"
 
 namespace gsim::path::changes_test {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/path/json_reader.h"
-#include "runtime/path/json_writer.h"
 #include "tests/path/random_path.h"
 #include "tests/support/mangled_text.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::path::json_test {
 namespace {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/path/axis_moves.h"
-#include "runtime/path/json_reader.h"
-#include "runtime/path/json_writer.h"
 #include "tests/path/random_path.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/json_writer.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::path::machine_points_test {
 namespace {

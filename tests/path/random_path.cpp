@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/path/arc_shape.h"
+#include "toolpath/model/arc_shape.h"
 
 namespace gsim::path {
 

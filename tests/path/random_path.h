@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "runtime/path/path.h"
+#include "toolpath/model/path.h"
 
 namespace gsim::path {
 

@@ -1,5 +1,5 @@
 // Rotary axes: the same orientation with less turning, within the axes' ranges.
-#include "runtime/path/rotary_plan.h"
+#include "toolpath/rotary/rotary_plan.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/path/axis_moves.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::path::rotary_plan_test {
 namespace {

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
-#include "runtime/path/json_reader.h"
-#include "runtime/path/keys.h"
-#include "runtime/path/target_draft.h"
-#include "runtime/path/touches.h"
 #include "tests/build_files/build_files.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/keys.h"
+#include "toolpath/json/target_draft.h"
+#include "toolpath/json/touches.h"
 
 namespace gsim::path::schema_test {
 namespace {

@@ -1,13 +1,13 @@
 // Work frames and tools of paths: what is told, when, and what cannot be.
-#include "runtime/path/set_up.h"
+#include "toolpath/placement/set_up.h"
 
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/path/axis_moves.h"
-#include "runtime/path/json_reader.h"
-#include "runtime/path/json_writer.h"
 #include "tests/build_files/build_files.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/json_writer.h"
+#include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::path::set_up_test {
 namespace {

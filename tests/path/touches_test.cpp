@@ -1,10 +1,10 @@
 // Touches that find a work frame: what is read is written, and what cannot be is told.
-#include "runtime/path/touches.h"
+#include "toolpath/json/touches.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/path/json_reader.h"
-#include "runtime/path/json_writer.h"
+#include "toolpath/json/json_reader.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::path::touches_test {
 namespace {

@@ -1,5 +1,5 @@
 // Each way of being ill formed has its sentence and its place.
-#include "runtime/path/validate.h"
+#include "toolpath/model/validate.h"
 
 #include <limits>
 #include <string>

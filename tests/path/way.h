@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "runtime/path/arc_shape.h"
+#include "toolpath/model/arc_shape.h"
 
 namespace gsim::path {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/path/validate.h"
+#include "toolpath/model/validate.h"
 
 namespace gsim::record::path_builder_test {
 namespace {

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/path/arc_shape.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/simulation/random_program.h"
+#include "toolpath/model/arc_shape.h"
 
 namespace gsim::record::path_recorder_test {
 namespace {

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
-#include "runtime/path/json_writer.h"
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 #include "tests/build_files/build_files.h"
 #include "tests/path/random_path.h"
+#include "toolpath/json/json_writer.h"
 
 namespace gsim::record::round_trip_test {
 namespace {

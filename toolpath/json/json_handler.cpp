@@ -1,0 +1,373 @@
+#include "toolpath/json/json_handler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::path {
+
+namespace {
+
+constexpr std::size_t kLongestMessage = 300;
+
+// What the parser says, without its own numbering and place.
+std::string_view plain_message(std::string_view what) {
+    const std::size_t column = what.find("column ");
+    const std::size_t behind = column == std::string_view::npos ? column : what.find(": ", column);
+    return behind == std::string_view::npos ? what : what.substr(behind + 2);
+}
+
+bool add_key(std::vector<std::string>& seen, const std::string& key) {
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) return false;
+    seen.push_back(key);
+    return true;
+}
+
+bool is_known(const std::string& key, std::span<const std::string_view> known) {
+    return std::find(known.begin(), known.end(), key) != known.end();
+}
+
+}  // namespace
+
+bool JsonHandler::fail(const Place& place, std::string_view sentence) {
+    std::string line(sentence.substr(0, kLongestMessage));
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    error_ = fmt::format("{}:{}:{}: {}", file_.file_name, place.line, place.column, line);
+    return false;
+}
+
+bool JsonHandler::check(tl::expected<void, std::string> done) {
+    return done ? true : fail(done.error());
+}
+
+bool JsonHandler::wrong_type(std::string_view found) {
+    return fail(fmt::format("{}, not {}", wanted(), found));
+}
+
+bool JsonHandler::number(double value) {
+    if (level() == Level::vector) {
+        if (values_.size() == 3) return fail(fmt::format("{}, not more", wanted()));
+        values_.push_back(value);
+        return true;
+    }
+    if (level() == Level::offset) return offset_value(value);
+    if (level() == Level::touch) return value_of_touch(value);
+    if (level() == Level::path) return number_of_path(value);
+    if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
+    const bool wants_number =
+        level() == Level::target && (target_wants(TargetDraft::ValueKind::number) ||
+                                     target_wants(TargetDraft::ValueKind::text_or_number));
+    return wants_number ? check(draft_.set_number(target_key_, value)) : wrong_type("a number");
+}
+
+bool JsonHandler::string(std::string& value) {
+    switch (level()) {
+        case Level::program:
+            if (key_ == "paths" || key_ == "work_offsets") return wrong_type("a string");
+            if (key_ == "name") file_.program.name = value;
+            if (key_ == "root") {
+                root_ = value;
+                root_place_ = bytes_.token();
+            }
+            return true;
+        case Level::path: return string_of_path(value);
+        case Level::actions: draft_.add_action(std::move(value)); return true;
+        case Level::touch: return value_of_touch(std::string_view(value));
+        case Level::target:
+            if (target_wants(TargetDraft::ValueKind::text) ||
+                target_wants(TargetDraft::ValueKind::text_or_number)) {
+                return check(draft_.set_text(target_key_, value));
+            }
+            [[fallthrough]];
+        default: return wrong_type("a string");
+    }
+}
+
+bool JsonHandler::start_object(std::size_t) {
+    switch (level()) {
+        case Level::outside: levels_.push_back(Level::program); return true;
+        case Level::program:
+            if (key_ != "work_offsets") return wrong_type("an object");
+            levels_.push_back(Level::offsets);
+            return true;
+        case Level::offsets: return start_offset();
+        case Level::paths:
+            levels_.push_back(Level::path);
+            path_keys_.clear();
+            path_draft_ = {};
+            file_.program.paths.emplace_back();
+            file_.paths.push_back(bytes_.token());
+            file_.targets.emplace_back();
+            return true;
+        case Level::targets:
+            levels_.push_back(Level::target);
+            draft_ = {};
+            draft_place_ = bytes_.token();
+            return true;
+        case Level::touches:
+            levels_.push_back(Level::touch);
+            touch_draft_ = {};
+            touch_place_ = bytes_.token();
+            return true;
+        case Level::target:
+            if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::letters) {
+                levels_.push_back(Level::rotary);
+                draft_.begin_rotary();
+                return true;
+            }
+            [[fallthrough]];
+        default: return wrong_type("an object");
+    }
+}
+
+bool JsonHandler::key(std::string& name) {
+    switch (level()) {
+        case Level::program: return program_key(name);
+        case Level::path: return path_key(name);
+        case Level::target: return target_key(name);
+        case Level::offsets: offset_name_ = frame_name(name); return true;
+        case Level::offset: return offset_key(name);
+        case Level::touch: return touch_key(name);
+        default: key_ = std::move(name); return true;
+    }
+}
+
+bool JsonHandler::program_key(const std::string& name) {
+    if (!is_known(name, kProgramKeys)) return fail(unknown_key(name, "the path file", kProgramKeys));
+    if (!add_key(program_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = name;
+    return true;
+}
+
+bool JsonHandler::path_key(const std::string& name) {
+    if (!is_known(name, kPathKeys)) return fail(unknown_key(name, "a path", kPathKeys));
+    if (!add_key(path_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = name;
+    const auto* const found = std::find(kPathKeys.begin(), kPathKeys.end(), name);
+    path_key_ = static_cast<PathKey>(found - kPathKeys.begin());
+    return true;
+}
+
+bool JsonHandler::wants(PathDraft::ValueKind kind) const {
+    return PathDraft::kind_of(path_key_) == kind;
+}
+
+bool JsonHandler::target_wants(TargetDraft::ValueKind kind) const {
+    return TargetDraft::kind_of(target_key_) == kind;
+}
+
+bool JsonHandler::string_of_path(std::string& value) {
+    if (wants(PathDraft::ValueKind::text)) return check(path_draft_.set_text(path_key_, value));
+    if (path_key_ != PathKey::name) return wrong_type("a string");
+    file_.program.paths.back().name = value;
+    return true;
+}
+
+bool JsonHandler::number_of_path(double value) {
+    if (wants(PathDraft::ValueKind::number)) return check(path_draft_.set_number(path_key_, value));
+    return wrong_type("a number");
+}
+
+// Of the vector that is open.
+std::string_view JsonHandler::vector_key() const {
+    const Level of = levels_[levels_.size() - 2];
+    if (of == Level::touch) return name_of(touch_key_);
+    return of == Level::path ? name_of(path_key_) : name_of(target_key_);
+}
+
+bool JsonHandler::start_offset() {
+    levels_.push_back(Level::offset);
+    offset_keys_.clear();
+    if (file_.program.work_offsets.try_emplace(offset_name_).second) return true;
+    return fail(fmt::format("there are two work offsets of the name '{}'", offset_name_));
+}
+
+bool JsonHandler::offset_key(std::string& name) {
+    const bool letter = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
+    if (!letter && name != kRotationKey) {
+        return fail(fmt::format("a work offset names axes by one capital letter each, or has '{}'; not '{}'",
+                                kRotationKey, name));
+    }
+    if (!add_key(offset_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = std::move(name);
+    return true;
+}
+
+bool JsonHandler::offset_value(double value) {
+    WorkOffset& offset = file_.program.work_offsets[offset_name_];
+    if (key_ == kRotationKey) {
+        offset.rotation_deg = value;
+    } else {
+        offset.origin[key_[0]] = value;
+    }
+    return true;
+}
+
+bool JsonHandler::target_key(const std::string& name) {
+    const auto* const found = std::find(kTargetKeys.begin(), kTargetKeys.end(), name);
+    if (found == kTargetKeys.end()) return fail(unknown_key(name, "a target", kTargetKeys));
+    target_key_ = static_cast<TargetKey>(found - kTargetKeys.begin());
+    if (draft_.mark(target_key_)) return fail(fmt::format("'{}' is given twice", name));
+    return true;
+}
+
+bool JsonHandler::touch_key(const std::string& name) {
+    const auto* const found = std::find(kTouchKeys.begin(), kTouchKeys.end(), name);
+    if (found == kTouchKeys.end()) return fail(unknown_key(name, "a touch", kTouchKeys));
+    touch_key_ = static_cast<TouchKey>(found - kTouchKeys.begin());
+    if (touch_draft_.mark(touch_key_)) return fail(fmt::format("'{}' is given twice", name));
+    return true;
+}
+
+bool JsonHandler::value_of_touch(double value) {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::number) return wrong_type("a number");
+    return check(touch_draft_.set_number(touch_key_, value));
+}
+
+bool JsonHandler::value_of_touch(std::string_view value) {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::text) return wrong_type("a string");
+    return check(touch_draft_.set_text(touch_key_, value));
+}
+
+// Of a path, or of the use of one.
+bool JsonHandler::end_touch() {
+    const auto touch = touch_draft_.finish();
+    if (!touch) return fail(touch_place_, touch.error());
+    if (levels_[levels_.size() - 2] == Level::path) {
+        path_draft_.add_touch(*touch);
+    } else {
+        draft_.add_touch(*touch);
+    }
+    return true;
+}
+
+bool JsonHandler::end_object() {
+    const Level ended = level();
+    levels_.pop_back();
+    if (ended == Level::path) return end_path();
+    if (ended == Level::target) return end_target();
+    if (ended == Level::touch) return end_touch();
+    return true;
+}
+
+bool JsonHandler::start_array(std::size_t) {
+    if (level() == Level::program && key_ == "paths") {
+        levels_.push_back(Level::paths);
+        return true;
+    }
+    if (level() == Level::path) return start_path_array();
+    if (level() == Level::touch) return start_touch_array();
+    return level() == Level::target ? start_target_array() : wrong_type("an array");
+}
+
+bool JsonHandler::start_path_array() {
+    const bool is_vector = wants(PathDraft::ValueKind::vector);
+    const bool are_touches = wants(PathDraft::ValueKind::touches);
+    if (!is_vector && !are_touches && path_key_ != PathKey::targets) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(is_vector ? Level::vector : are_touches ? Level::touches : Level::targets);
+    return true;
+}
+
+bool JsonHandler::start_touch_array() {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::vector) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(Level::vector);
+    return true;
+}
+
+bool JsonHandler::start_target_array() {
+    const TargetDraft::ValueKind kind = TargetDraft::kind_of(target_key_);
+    if (kind == TargetDraft::ValueKind::list) {
+        levels_.push_back(Level::actions);
+        return true;
+    }
+    if (kind == TargetDraft::ValueKind::touches) {
+        levels_.push_back(Level::touches);
+        return true;
+    }
+    if (kind != TargetDraft::ValueKind::vector) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(Level::vector);
+    return true;
+}
+
+bool JsonHandler::end_array() {
+    const Level ended = level();
+    levels_.pop_back();
+    if (ended == Level::touches)
+        return check(level() == Level::path ? path_draft_.end_touches() : draft_.end_touches());
+    return ended == Level::vector ? end_vector() : true;
+}
+
+bool JsonHandler::end_vector() {
+    if (level() == Level::touch) return check(touch_draft_.set_vector(touch_key_, values_));
+    return check(level() == Level::path ? path_draft_.set_vector(path_key_, values_)
+                                        : draft_.set_vector(target_key_, values_));
+}
+
+bool JsonHandler::end_path() {
+    const Place place = file_.paths.back();
+    for (const std::string_view name : std::span(kPathKeys).first(kNeededPathKeys)) {
+        if (std::find(path_keys_.begin(), path_keys_.end(), name) == path_keys_.end()) {
+            return fail(place, fmt::format("a path lacks the key '{}'", name));
+        }
+    }
+    if (auto done = path_draft_.finish(file_.program.paths.back()); !done) return fail(place, done.error());
+    const std::size_t index = file_.program.paths.size() - 1;
+    const std::string& name = file_.program.paths.back().name;
+    if (by_name_.emplace(name, index).second) return true;
+    return fail(place, fmt::format("there are two paths of the name '{}'", name));
+}
+
+bool JsonHandler::end_target() {
+    tl::expected<Target, std::string> target = draft_.finish();
+    if (!target) return fail(draft_place_, target.error());
+    const std::size_t path = file_.program.paths.size() - 1;
+    std::vector<Target>& targets = file_.program.paths.back().targets;
+    if (draft_.is_sub_path()) references_.push_back({{path, targets.size()}, draft_.path_name()});
+    targets.push_back(std::move(*target));
+    file_.targets.back().push_back(draft_place_);
+    return true;
+}
+
+bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::json::exception& exception) {
+    Place place = bytes_.here();
+    if (place.column > 1) --place.column;
+    return fail(place, plain_message(exception.what()));
+}
+
+std::optional<std::size_t> JsonHandler::index_of(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return std::nullopt;
+    return found->second;
+}
+
+bool JsonHandler::resolve() {
+    if (file_.program.paths.empty())
+        return fail(Place{1, 1}, "a path file needs 'paths' with one path at least");
+    if (root_) {
+        const auto index = index_of(*root_);
+        if (!index) return fail(root_place_, fmt::format("there is no path of the name '{}'", *root_));
+        file_.program.root = *index;
+    }
+    for (const Reference& reference : references_) {
+        const auto [path, target] = reference.from;
+        const auto index = index_of(reference.path_name);
+        if (!index) {
+            return fail(file_.targets[path][*target],
+                        fmt::format("there is no path of the name '{}'", reference.path_name));
+        }
+        std::get<SubPath>(file_.program.paths[path].targets[*target]).path = *index;
+    }
+    return true;
+}
+
+tl::expected<PathFile, std::string> JsonHandler::finish() {
+    if (!resolve()) return tl::unexpected(error_);
+    return std::move(file_);
+}
+
+}  // namespace gsim::path

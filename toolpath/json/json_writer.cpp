@@ -1,0 +1,213 @@
+#include "toolpath/json/json_writer.h"
+
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "base/text/json_text.h"
+#include "toolpath/json/keys.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr std::size_t kEnough = std::size_t{1} << 16;
+
+std::string quoted(const std::string& text) {
+    fmt::memory_buffer json;
+    text::append_json_string(json, text);
+    return fmt::to_string(json);
+}
+
+class Writer {
+  public:
+    Writer(const Program& program, const std::function<void(std::string_view)>& sink)
+        : program_(program), sink_(sink) {}
+
+    void write() {
+        put("{{\n\"name\": {},\n\"root\": {},\n", quoted(program_.name),
+            quoted(program_.paths[program_.root].name));
+        if (program_.is_recorded()) write_work_offsets();
+        put("\"paths\": [\n");
+        for (const Path& path : program_.paths) {
+            write_path(path);
+            put("{}\n", &path == &program_.paths.back() ? "" : ",");
+        }
+        put("]\n}}\n");
+        sink_({text_.data(), text_.size()});
+    }
+
+  private:
+    template <typename... Values>
+    void put(fmt::format_string<Values...> format, Values&&... values) {
+        text::append_format(text_, format, std::forward<Values>(values)...);
+    }
+
+    void write_work_offsets() {
+        put("\"work_offsets\": {{");
+        const char* separator = "";
+        for (const auto& [name, offset] : program_.work_offsets) {
+            put("{}{}: {{", separator, quoted(name));
+            const char* between = "";
+            for (const auto& [letter, value] : offset.origin) {
+                put("{}\"{}\": {}", between, letter, value);
+                between = ", ";
+            }
+            if (offset.rotation_deg != 0) put("{}\"{}\": {}", between, kRotationKey, offset.rotation_deg);
+            put("}}");
+            separator = ", ";
+        }
+        put("}},\n");
+    }
+
+    void write_path(const Path& path) {
+        put("{{\"name\": {}", quoted(path.name));
+        write_frame(path.frame);
+        if (path.tool) write_tool(*path.tool);
+        put(", \"targets\": [\n");
+        for (const Target& target : path.targets) {
+            std::visit([this](const auto& each) { write_target(each); }, target);
+            put("{}\n", &target == &path.targets.back() ? "" : ",");
+            pass_on();
+        }
+        put("]}}");
+    }
+
+    void write_target(const SubPath& sub_path) {
+        put("{{\"path\": {}", quoted(program_.paths[sub_path.path].name));
+        if (sub_path.repeats != 1) put(", \"repeats\": {}", sub_path.repeats);
+        write_frame(sub_path.frame);
+        put("}}");
+    }
+
+    void write_frame(const WorkFrame& frame) {
+        if (!frame.name.empty()) put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(frame.name));
+        if (frame.set_offset_mm) vector(TargetKey::set_offset_mm, *frame.set_offset_mm);
+        if (frame.touches.empty()) return;
+        put(", \"{}\": [", name_of(TargetKey::probe_offset));
+        for (const Touch& touch : frame.touches) {
+            if (&touch != &frame.touches.front()) put(", ");
+            write_touch(touch);
+        }
+        put("]");
+    }
+
+    void write_touch(const Touch& touch) {
+        put("{{\"{}\": \"{}\", \"{}\": [{}, {}, {}]", name_of(TouchKey::axis), touch.axis,
+            name_of(TouchKey::from_mm), touch.from_mm[0], touch.from_mm[1], touch.from_mm[2]);
+        put(", \"{}\": {}, \"{}\": {}, \"{}\": {}", name_of(TouchKey::to_mm), touch.to_mm,
+            name_of(TouchKey::surface_mm), touch.surface_mm, name_of(TouchKey::feed_mm_min),
+            touch.feed_mm_min);
+        if (touch.probe_radius_mm != 0)
+            put(", \"{}\": {}", name_of(TouchKey::probe_radius_mm), touch.probe_radius_mm);
+        if (touch.tool) put(", \"{}\": {}", name_of(TouchKey::tool), *touch.tool);
+        put("}}");
+    }
+
+    void write_tool(const Tool& tool) {
+        put(", \"{}\": {}", name_of(PathKey::tool), tool.number);
+        if (tool.length_offset != tool.number)
+            put(", \"{}\": {}", name_of(PathKey::length_offset), tool.length_offset);
+        if (tool.diameter_offset)
+            put(", \"{}\": {}", name_of(PathKey::diameter_offset), *tool.diameter_offset);
+    }
+
+    void write_target(const Point& point) {
+        put("{{");
+        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
+        put("\"motion\": \"{}\"", kMotionNames[static_cast<std::size_t>(point.motion)]);
+        vector(TargetKey::position_mm, point.position_mm);
+        if (point.motion == MotionType::circular) {
+            std::visit([this](const auto& arc) { write_arc(arc); }, point.arc);
+        }
+        if (point.orientation) {
+            std::visit([this](const auto& value) { write_orientation(value); }, *point.orientation);
+        }
+        number(TargetKey::feed_mm_min, point.feed_mm_min);
+        number(TargetKey::feed_deg_min, point.feed_deg_min);
+        number(TargetKey::duration_s, point.duration_s);
+        number(TargetKey::feed_mm_rev, point.feed_mm_rev);
+        number(TargetKey::lead_mm, point.lead_mm);
+        if (!point.work_offset.empty())
+            put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(point.work_offset));
+        number(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
+        if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
+        write_actions(point.actions);
+        put("}}");
+    }
+
+    void write_target(const MachinePoint& point) {
+        put("{{");
+        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
+        const auto key = point.kind == MachinePoint::Kind::fixed ? TargetKey::fixed : TargetKey::reference;
+        put("\"{}\": {}", name_of(key),
+            point.called.empty() ? fmt::format("{}", point.number) : quoted(point.called));
+        if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
+        write_actions(point.actions);
+        put("}}");
+    }
+
+    void write_arc(const ViaPoint& arc) { vector(TargetKey::via_mm, arc.via_mm); }
+    void write_arc(const CenterArc& arc) {
+        vector(TargetKey::center_mm, arc.center_mm);
+        vector(TargetKey::normal, arc.normal);
+        number(TargetKey::turn_deg, arc.turn_deg);
+    }
+
+    void write_orientation(const ToolAxis& axis) { vector(TargetKey::tool_axis, axis.direction); }
+    void write_orientation(const RollPitchYaw& angles) {
+        vector(TargetKey::rpy_deg, {angles.roll_deg, angles.pitch_deg, angles.yaw_deg});
+    }
+    void write_orientation(const RotaryAxes& axes) {
+        put(", \"{}\": {{", name_of(TargetKey::rotary_deg));
+        const char* separator = "";
+        for (const auto& [letter, value_deg] : axes) {
+            put("{}\"{}\": {}", separator, letter, value_deg);
+            separator = ", ";
+        }
+        put("}}");
+    }
+
+    void write_actions(const std::vector<std::string>& actions) {
+        if (actions.empty()) return;
+        put(", \"{}\": [", name_of(TargetKey::actions));
+        for (const std::string& action : actions) {
+            put("{}{}", &action == &actions.front() ? "" : ", ", quoted(action));
+        }
+        put("]");
+    }
+
+    void vector(TargetKey key, const Vector& value) {
+        put(", \"{}\": [{}, {}, {}]", name_of(key), value[0], value[1], value[2]);
+    }
+    void number(TargetKey key, std::optional<double> value) {
+        if (value) put(", \"{}\": {}", name_of(key), *value);
+    }
+
+    void pass_on() {
+        if (text_.size() < kEnough) return;
+        sink_({text_.data(), text_.size()});
+        text_.clear();
+    }
+
+    const Program& program_;
+    const std::function<void(std::string_view)>& sink_;
+    fmt::memory_buffer text_;
+};
+
+}  // namespace
+
+void write_json(const Program& program, const std::function<void(std::string_view)>& sink) {
+    Writer(program, sink).write();
+}
+
+std::string to_json(const Program& program) {
+    std::string text;
+    write_json(program, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,231 @@
+#include "toolpath/json/target_draft.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "base/text/nearest_name.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr double kGreatestRepeats = 1e9;
+constexpr std::array kMachinePointKeys = {TargetKey::name, TargetKey::dwell_s, TargetKey::actions,
+                                          TargetKey::fixed, TargetKey::reference};
+
+Vector to_vector(const std::vector<double>& values) {
+    return {values[0], values[1], values[2]};
+}
+
+}  // namespace
+
+TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
+    switch (key) {
+        case TargetKey::name:
+        case TargetKey::motion:
+        case TargetKey::work_offset:
+        case TargetKey::path: return ValueKind::text;
+        case TargetKey::position_mm:
+        case TargetKey::via_mm:
+        case TargetKey::center_mm:
+        case TargetKey::normal:
+        case TargetKey::tool_axis:
+        case TargetKey::rpy_deg:
+        case TargetKey::set_offset_mm: return ValueKind::vector;
+        case TargetKey::rotary_deg: return ValueKind::letters;
+        case TargetKey::actions: return ValueKind::list;
+        case TargetKey::fixed:
+        case TargetKey::reference: return ValueKind::text_or_number;
+        case TargetKey::probe_offset: return ValueKind::touches;
+        default: return ValueKind::number;
+    }
+}
+
+bool TargetDraft::mark(TargetKey key) {
+    const bool before = has(key);
+    seen_.set(static_cast<std::size_t>(key));
+    return before;
+}
+
+tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string_view value) {
+    if (key == TargetKey::name) {
+        point_.name = value;
+    } else if (key == TargetKey::path) {
+        path_name_ = value;
+    } else if (key == TargetKey::fixed || key == TargetKey::reference) {
+        machine_point_.called = value;
+    } else if (key == TargetKey::work_offset) {
+        point_.work_offset = frame_name(value);
+        return frame_.set_text(PathKey::work_offset, value);
+    } else {
+        const auto* const found = std::find(kMotionNames.begin(), kMotionNames.end(), value);
+        if (found == kMotionNames.end()) {
+            return tl::unexpected<std::string>(
+                fmt::format("'motion' must be \"{}\"", text::joined(kMotionNames, "\" or \"")));
+        }
+        point_.motion = static_cast<MotionType>(found - kMotionNames.begin());
+    }
+    return {};
+}
+
+tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double value) {
+    switch (key) {
+        case TargetKey::turn_deg: center_.turn_deg = value; break;
+        case TargetKey::feed_mm_min: point_.feed_mm_min = value; break;
+        case TargetKey::feed_deg_min: point_.feed_deg_min = value; break;
+        case TargetKey::duration_s: point_.duration_s = value; break;
+        case TargetKey::feed_mm_rev: point_.feed_mm_rev = value; break;
+        case TargetKey::lead_mm: point_.lead_mm = value; break;
+        case TargetKey::acceleration_mm_s2: point_.acceleration_mm_s2 = value; break;
+        case TargetKey::dwell_s: point_.dwell_s = value; break;
+        case TargetKey::fixed: return set_point_number(key, value, kGreatestFixedPoint);
+        case TargetKey::reference: return set_point_number(key, value, kReferencePoints);
+        default:
+            if (!(value >= 1 && value <= kGreatestRepeats) || value != std::floor(value)) {
+                return tl::unexpected<std::string>(
+                    fmt::format("'repeats' must be a whole number from 1 to 1000000000; it is {}", value));
+            }
+            repeats_ = static_cast<int>(value);
+    }
+    return {};
+}
+
+tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, double value, int most) {
+    if (!(value >= 1 && value <= most) || value != std::floor(value)) {
+        return tl::unexpected(
+            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", name_of(key), most, value));
+    }
+    machine_point_.number = static_cast<int>(value);
+    return {};
+}
+
+tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
+    if (values.size() != 3) {
+        return tl::unexpected<std::string>(
+            fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
+    }
+    if (key == TargetKey::set_offset_mm) return frame_.set_vector(PathKey::set_offset_mm, values);
+    const Vector vector = to_vector(values);
+    switch (key) {
+        case TargetKey::position_mm: point_.position_mm = vector; break;
+        case TargetKey::via_mm: via_.via_mm = vector; break;
+        case TargetKey::center_mm: center_.center_mm = vector; break;
+        case TargetKey::normal: center_.normal = vector; break;
+        case TargetKey::tool_axis: point_.orientation = ToolAxis{vector}; break;
+        default: point_.orientation = RollPitchYaw{vector[0], vector[1], vector[2]};
+    }
+    return {};
+}
+
+tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter, double value_deg) {
+    if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
+        return tl::unexpected<std::string>(
+            fmt::format("'rotary_deg' names axes by one capital letter each, such as B, not '{}'", letter));
+    }
+    auto& axes = std::get<RotaryAxes>(*point_.orientation);
+    if (!axes.emplace(letter[0], value_deg).second)
+        return tl::unexpected<std::string>(fmt::format("'{}' is given twice", letter));
+    return {};
+}
+
+std::optional<std::string> TargetDraft::fault_of_sub_path() const {
+    if (!has(TargetKey::path)) {
+        return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
+                           name_of(has(TargetKey::repeats)         ? TargetKey::repeats
+                                   : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
+                                                                   : TargetKey::probe_offset));
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(TargetKey::path); ++i) {
+        if (seen_[i] && static_cast<TargetKey>(i) != TargetKey::work_offset) {
+            return fmt::format("a target with the key 'path' is a sub-path and cannot have '{}'",
+                               kTargetKeys[i]);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> TargetDraft::fault_of_arc() const {
+    const bool via = has(TargetKey::via_mm);
+    const bool center = has(TargetKey::center_mm);
+    if (point_.motion != MotionType::circular) {
+        for (const TargetKey key :
+             {TargetKey::via_mm, TargetKey::center_mm, TargetKey::normal, TargetKey::turn_deg}) {
+            if (has(key)) return fmt::format("'{}' is of circular motions only", name_of(key));
+        }
+        return std::nullopt;
+    }
+    if (via == center) return "a circular motion needs either 'via_mm' or 'center_mm' with 'turn_deg'";
+    if (center && !has(TargetKey::turn_deg)) return "an arc about 'center_mm' lacks the key 'turn_deg'";
+    if (via && (has(TargetKey::normal) || has(TargetKey::turn_deg))) {
+        return "an arc through 'via_mm' has neither 'normal' nor 'turn_deg'; these go with 'center_mm'";
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> TargetDraft::fault_of_point() const {
+    if (!has(TargetKey::position_mm)) return "a point lacks the key 'position_mm'";
+    const int orientations = static_cast<int>(has(TargetKey::tool_axis)) +
+                             static_cast<int>(has(TargetKey::rpy_deg)) +
+                             static_cast<int>(has(TargetKey::rotary_deg));
+    if (orientations > 1) return "a point has one of 'tool_axis', 'rpy_deg' and 'rotary_deg', not several";
+    return fault_of_arc();
+}
+
+std::optional<std::string> TargetDraft::fault_of_machine_point() const {
+    if (has(TargetKey::fixed) && has(TargetKey::reference))
+        return "'fixed' and 'reference' are two points; a target is one of them";
+    for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
+        const auto key = static_cast<TargetKey>(i);
+        const bool is_of_point =
+            std::find(kMachinePointKeys.begin(), kMachinePointKeys.end(), key) != kMachinePointKeys.end();
+        if (!seen_[i] || is_of_point) continue;
+        return fmt::format(
+            "a target with the key '{}' is a point of the machine, which it goes to by a rapid; it cannot "
+            "have "
+            "'{}'",
+            name_of(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
+    }
+    return std::nullopt;
+}
+
+tl::expected<Target, std::string> TargetDraft::finish() {
+    if (is_sub_path()) {
+        if (auto sentence = fault_of_sub_path()) return tl::unexpected<std::string>(std::move(*sentence));
+        auto frame = frame_.finish_frame();
+        if (!frame) return tl::unexpected(frame.error());
+        return SubPath{0, repeats_, *std::move(frame)};
+    }
+    if (is_machine_point()) {
+        if (auto sentence = fault_of_machine_point()) return tl::unexpected(*std::move(sentence));
+        machine_point_.kind =
+            has(TargetKey::fixed) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
+        machine_point_.name = std::move(point_.name);
+        machine_point_.dwell_s = point_.dwell_s;
+        machine_point_.actions = std::move(point_.actions);
+        machine_point_.actions.shrink_to_fit();
+        return std::move(machine_point_);
+    }
+    if (auto sentence = fault_of_point()) return tl::unexpected<std::string>(std::move(*sentence));
+    if (has(TargetKey::center_mm)) {
+        point_.arc = center_;
+    } else {
+        point_.arc = via_;
+    }
+    point_.actions.shrink_to_fit();
+    return std::move(point_);
+}
+
+std::string unknown_key(std::string_view key, std::string_view where,
+                        std::span<const std::string_view> known) {
+    constexpr std::size_t kShown = 64;
+    const auto nearest = text::nearest_name(key, known);
+    const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
+                                     : fmt::format("it may hold: {}", text::joined(known, ", "));
+    return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kShown), where, hint);
+}
+
+}  // namespace gsim::path

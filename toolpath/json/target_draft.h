@@ -1,0 +1,72 @@
+#pragma once
+
+#include <bitset>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "toolpath/json/keys.h"
+#include "toolpath/json/path_draft.h"
+#include "toolpath/model/path.h"
+
+namespace gsim::path {
+
+/// A target while its keys are read, one after the other in any order. Errors are sentences.
+class TargetDraft {
+  public:
+    /// What kind of value a key takes.
+    enum class ValueKind { text, number, text_or_number, vector, letters, list, touches };
+    static ValueKind kind_of(TargetKey key);
+
+    /// Whether the key was there before; it is from now on.
+    bool mark(TargetKey key);
+
+    tl::expected<void, std::string> set_text(TargetKey key, std::string_view value);
+    tl::expected<void, std::string> set_number(TargetKey key, double value);
+    /// As many values as a vector has, no more and no fewer.
+    tl::expected<void, std::string> set_vector(TargetKey key, const std::vector<double>& values);
+    tl::expected<void, std::string> set_rotary(std::string_view letter, double value_deg);
+    void add_action(std::string action) { point_.actions.push_back(std::move(action)); }
+    /// One of the list of `probe_offset`, and behind the last one of it.
+    void add_touch(const Touch& touch) { frame_.add_touch(touch); }
+    tl::expected<void, std::string> end_touches() const { return frame_.end_touches(); }
+    /// An empty table of rotary axes is one too.
+    void begin_rotary() { point_.orientation = RotaryAxes{}; }
+
+    /// The target, once all its keys are there. A sub-path has the index 0; `path_name()` says which is
+    /// meant.
+    tl::expected<Target, std::string> finish();
+    bool is_sub_path() const {
+        return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm) ||
+               has(TargetKey::probe_offset);
+    }
+    const std::string& path_name() const { return path_name_; }
+
+  private:
+    bool has(TargetKey key) const { return seen_[static_cast<std::size_t>(key)]; }
+    tl::expected<void, std::string> set_point_number(TargetKey key, double value, int most);
+    bool is_machine_point() const { return has(TargetKey::fixed) || has(TargetKey::reference); }
+    std::optional<std::string> fault_of_sub_path() const;
+    std::optional<std::string> fault_of_point() const;
+    std::optional<std::string> fault_of_machine_point() const;
+    std::optional<std::string> fault_of_arc() const;
+
+    std::bitset<kTargetKeys.size()> seen_;
+    Point point_;
+    MachinePoint machine_point_;
+    CenterArc center_;
+    ViaPoint via_;
+    PathDraft frame_;  // of a sub-path
+    std::string path_name_;
+    int repeats_ = 1;
+};
+
+/// "unknown key 'fed_mm_min' in a target; did you mean 'feed_mm_min'?"
+std::string unknown_key(std::string_view key, std::string_view where,
+                        std::span<const std::string_view> known);
+
+}  // namespace gsim::path

@@ -1,0 +1,201 @@
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "motion/kinematics/pose.h"
+#include "toolpath/model/arc_shape.h"
+#include "toolpath/placement/changes.h"
+
+namespace gsim::path {
+
+namespace {
+
+using Eigen::Vector3d;
+using Refused = tl::unexpected<Fault>;
+
+constexpr double kSameAxis = 1e-9;
+
+Vector vector_of(const Vector3d& from) {
+    return {from.x(), from.y(), from.z()};
+}
+
+/// Rotary values that the whole of a machine's tool turns along with, by an angle about an axis of the work.
+class TurningAxis {
+  public:
+    /// The rotary axis that does it whatever the others do; nothing: none does.
+    static std::optional<TurningAxis> find(const MachineSpace& space, const Eigen::Matrix3d& turn) {
+        const Eigen::AngleAxisd angle_axis(turn);
+        for (std::size_t i = 0; i < space.rotary_count(); ++i) {
+            for (const double sign : {1.0, -1.0}) {
+                const TurningAxis axis{space.rotary_axis(i).letter, sign * angle_axis.angle() / kRadPerDeg};
+                if (axis.turns_all(space, i, turn)) return axis;
+            }
+        }
+        return std::nullopt;
+    }
+
+    char letter = 0;
+    double by_deg = 0;
+
+  private:
+    bool turns_all(const MachineSpace& space, std::size_t axis, const Eigen::Matrix3d& turn) const {
+        for (const double lean_deg : {25.0, -40.0}) {
+            AxisValues rotary =
+                AxisValues::Constant(static_cast<Eigen::Index>(space.rotary_count()), lean_deg);
+            const Vector3d before = space.tool_axis(space.axes(Vector3d::Zero(), rotary));
+            rotary[static_cast<Eigen::Index>(axis)] += by_deg;
+            const Vector3d behind = space.tool_axis(space.axes(Vector3d::Zero(), rotary));
+            if ((turn * before - behind).norm() > kSameAxis) return false;
+        }
+        return true;
+    }
+
+    TurningAxis(char its_letter, double its_angle_deg) : letter(its_letter), by_deg(its_angle_deg) {}
+};
+
+bool has_machine_points(const Program& program) {
+    for (const Path& path : program.paths) {
+        for (const Target& target : path.targets) {
+            if (std::holds_alternative<MachinePoint>(target)) return true;
+        }
+    }
+    return false;
+}
+
+class Placing {
+  public:
+    Placing(Program& program, const rrs::CartPos& motion, const MachineSpace& space)
+        : program_(program),
+          motion_(motion),
+          space_(space),
+          turns_(!motion.linear().isIdentity(kSameAxis)),
+          has_machine_points_(has_machine_points(program)),
+          axis_(turns_ ? TurningAxis::find(space, motion.linear()) : std::nullopt) {}
+
+    tl::expected<void, Fault> run() {
+        if (auto fault = fault_of_all()) return Refused(*std::move(fault));
+        for (std::size_t path = 0; path < program_.paths.size(); ++path) {
+            std::vector<Target>& targets = program_.paths[path].targets;
+            bool knows_axis = false;
+            for (std::size_t i = 0; i < targets.size(); ++i) {
+                auto* point = std::get_if<Point>(&targets[i]);
+                // Fixed and reference points stay, and so does where they leave the axes.
+                if (point == nullptr) {
+                    knows_axis = knows_axis && !has_machine_points_;
+                    continue;
+                }
+                if (auto fault = turn(*point, knows_axis))
+                    return Refused(Fault{{path, i}, *std::move(fault)});
+                move(*point);
+            }
+        }
+        return {};
+    }
+
+  private:
+    std::optional<Fault> fault_of_all() const {
+        const auto fault = [&](const char* why) {
+            return Fault{{program_.root, std::nullopt}, fmt::format("the path cannot be placed: {}", why)};
+        };
+        if (program_.is_recorded()) return fault("it was recorded, and is where the run was");
+        const Vector3d upright = space_.tool_axis(space_.home());
+        if (space_.rotary_count() == 0 && (motion_.linear() * upright - upright).norm() > kSameAxis)
+            return fault(
+                "it would lean, and the machine has no rotary axis that leans its tool or its table");
+        const WorkFrame& own = program_.paths[program_.root].frame;
+        const auto is_own = [&](const WorkFrame& frame) {
+            return frame.touches.empty() && (frame.name.empty() || frame.name == own.name);
+        };
+        for (const Path& path : program_.paths) {
+            bool all = is_own(path.frame);
+            for (const Target& target : path.targets) {
+                const auto* use = std::get_if<SubPath>(&target);
+                all = all && (use == nullptr || is_own(use->frame));
+            }
+            if (!all) return fault("it is in several work frames, or finds them by touches");
+        }
+        return std::nullopt;
+    }
+
+    void move(Point& point) const {
+        point.position_mm = moved(point.position_mm);
+        if (auto* via = std::get_if<ViaPoint>(&point.arc)) {
+            via->via_mm = moved(via->via_mm);
+        } else if (auto* about = std::get_if<CenterArc>(&point.arc)) {
+            about->center_mm = moved(about->center_mm);
+            about->normal = turned(about->normal);
+        }
+    }
+
+    /// Why it cannot be turned.
+    std::optional<std::string> turn(Point& point, bool& knows_axis) const {
+        if (!turns_ || !point.orientation) return std::nullopt;
+        if (auto* axis = std::get_if<ToolAxis>(&*point.orientation)) {
+            axis->direction = turned(axis->direction);
+        } else if (auto* rpy = std::get_if<RollPitchYaw>(&*point.orientation)) {
+            *rpy = turned(*rpy);
+        } else {
+            return turn_rotary(point, knows_axis);
+        }
+        return std::nullopt;
+    }
+
+    std::optional<std::string> turn_rotary(Point& point, bool& knows_axis) const {
+        auto& values = std::get<RotaryAxes>(*point.orientation);
+        const auto fault = [&](std::string letters) {
+            return fmt::format(
+                "the path cannot be turned: the point should say where the rotary axes {} stand", letters);
+        };
+        if (axis_) {
+            const auto named = values.find(axis_->letter);
+            if (named != values.end()) named->second += axis_->by_deg;
+            knows_axis = knows_axis || named != values.end();
+            return knows_axis ? std::nullopt : std::optional(fault(std::string(1, axis_->letter)));
+        }
+        AxisValues rotary = space_.home_rotary();
+        for (std::size_t i = 0; i < space_.rotary_count(); ++i) {
+            const auto named = values.find(space_.rotary_axis(i).letter);
+            if (named == values.end()) return fault(letters());
+            rotary[static_cast<Eigen::Index>(i)] = named->second;
+        }
+        const Vector3d axis = space_.tool_axis(space_.axes(to_eigen(point.position_mm), rotary));
+        point.orientation = ToolAxis{turned(vector_of(axis))};
+        return std::nullopt;
+    }
+
+    std::string letters() const {
+        std::string all;
+        for (std::size_t i = 0; i < space_.rotary_count(); ++i)
+            all += fmt::format("{}{}", all.empty() ? "" : ", ", space_.rotary_axis(i).letter);
+        return all;
+    }
+
+    Vector moved(const Vector& point_mm) const { return vector_of(motion_ * to_eigen(point_mm)); }
+    Vector turned(const Vector& direction) const { return vector_of(motion_.linear() * to_eigen(direction)); }
+    RollPitchYaw turned(const RollPitchYaw& rpy) const {
+        rrs::CartPos pose = kinematics::pose_from_rpy(
+            {0, 0, 0, rpy.roll_deg * kRadPerDeg, rpy.pitch_deg * kRadPerDeg, rpy.yaw_deg * kRadPerDeg});
+        pose.linear() = motion_.linear() * pose.linear();
+        const kinematics::Rpy angles = kinematics::rpy_from_pose(pose);
+        return {angles.roll_rad / kRadPerDeg, angles.pitch_rad / kRadPerDeg, angles.yaw_rad / kRadPerDeg};
+    }
+
+    Program& program_;
+    const rrs::CartPos& motion_;
+    const MachineSpace& space_;
+    bool turns_;
+    bool has_machine_points_;
+    std::optional<TurningAxis> axis_;
+};
+
+}  // namespace
+
+tl::expected<void, Fault> place(Program& program, const rrs::CartPos& motion, const MachineSpace& space) {
+    if (motion.isApprox(rrs::CartPos::Identity(), 0)) return {};
+    return Placing(program, motion, space).run();
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "toolpath/model/states.h"
+#include "toolpath/placement/changes.h"
+
+namespace gsim::path {
+
+namespace {
+
+using OrderFault = tl::unexpected<Fault>;
+
+/// The first point of a path and of those that it begins with; null: it begins with no point.
+const Point* first_point(const Program& program, std::size_t path) {
+    const std::vector<Target>& targets = program.paths[path].targets;
+    if (targets.empty()) return nullptr;
+    if (const auto* use = std::get_if<SubPath>(&targets.front())) return first_point(program, use->path);
+    return std::get_if<Point>(&targets.front());
+}
+
+/// Whether a path says itself what feed its first cut has.
+bool has_own_feed(const Program& program, std::size_t path, bool& known) {
+    for (const Target& target : program.paths[path].targets) {
+        if (const auto* use = std::get_if<SubPath>(&target)) {
+            if (!has_own_feed(program, use->path, known)) return false;
+        } else if (const auto* point = std::get_if<Point>(&target)) {
+            known = known || point->feed_mm_min.has_value();
+            const bool cuts = point->motion == MotionType::linear || point->motion == MotionType::circular;
+            if (cuts && !known && !point->duration_s) return false;
+        }
+        if (known) return true;
+    }
+    return true;
+}
+
+/// What is over when it is done, or what States compares.
+bool leaves_nothing(const std::string& action) {
+    constexpr std::array<std::string_view, 8> kWords{
+        "stop", "optional_stop", "message ", "print ", "debug ", "log ", "rest", "exact_stop_once"};
+    constexpr std::array<std::string_view, 8> kCompared{"waterjet_", "abrasive_", "spindle_", "speed ",
+                                                        "flood_on",  "mist_on",   "coolant_", "tool_change"};
+    const auto is_it = [&](std::string_view word) {
+        return action == word || (word.ends_with(' ') && action.starts_with(word));
+    };
+    const auto begins = [&](std::string_view word) { return action.starts_with(word); };
+    return std::any_of(kWords.begin(), kWords.end(), is_it) ||
+           std::any_of(kCompared.begin(), kCompared.end(), begins);
+}
+
+/// What of a path holds on behind it, and nobody compares.
+std::optional<std::string> fault_of_target(const Target& target) {
+    for (const std::string& action : actions_of(target)) {
+        if (!leaves_nothing(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
+    }
+    const auto* point = std::get_if<Point>(&target);
+    if (point == nullptr) return std::nullopt;
+    if (point->acceleration_mm_s2) return "an acceleration holds on, so that the order counts";
+    if (point->feed_deg_min) return "a feed of rotary axes holds on, so that the order counts";
+    return std::nullopt;
+}
+
+std::optional<Fault> find_what_holds_on(const Program& program) {
+    for (std::size_t path = 0; path < program.paths.size(); ++path) {
+        for (std::size_t i = 0; i < program.paths[path].targets.size(); ++i) {
+            if (auto fault = fault_of_target(program.paths[path].targets[i])) return Fault{{path, i}, *fault};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether an orientation says where each rotary axis stands.
+bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace& space) {
+    if (space.rotary_count() == 0) return true;
+    if (!orientation) return false;
+    const auto* rotary = std::get_if<RotaryAxes>(&*orientation);
+    for (std::size_t i = 0; rotary != nullptr && i < space.rotary_count(); ++i) {
+        if (!rotary->contains(space.rotary_axis(i).letter)) return false;
+    }
+    return true;
+}
+
+/// Whether the same runs: what was never turned on is off.
+bool runs_alike(const Inherited<std::string>& one, const Inherited<std::string>& other) {
+    const auto is_off = [](const Inherited<std::string>& each) {
+        return !each.differs() && (!each.value() || each.value()->ends_with("_off"));
+    };
+    return one == other || (is_off(one) && is_off(other));
+}
+
+bool runs_alike(const Running& one, const Running& other) {
+    const bool spindle = runs_alike(one.spindle, other.spindle);
+    const bool stands = spindle && runs_alike(one.spindle, Inherited<std::string>());
+    return spindle && (stands || one.speed == other.speed) && runs_alike(one.flood, other.flood) &&
+           runs_alike(one.mist, other.mist);
+}
+
+/// What a sub-path takes over, but for where the tool stands and how fast it goes.
+bool begins_alike(const State& one, const State& other) {
+    return one.jet_on == other.jet_on && one.abrasive_on == other.abrasive_on &&
+           runs_alike(one.running, other.running) && one.frame == other.frame && one.tool == other.tool &&
+           one.work_offset == other.work_offset && one.at_machine_point == other.at_machine_point;
+}
+
+/// Why a target of the root cannot stand elsewhere.
+std::optional<std::string> fault_of_moving(const Program& program, const Target& target,
+                                           const MachineSpace& space) {
+    const auto* use = std::get_if<SubPath>(&target);
+    if (use == nullptr) return "what is put in another order must be sub-paths";
+    const std::string& name = program.paths[use->path].name;
+    const Point* first = first_point(program, use->path);
+    if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
+        return fmt::format("the sub-path '{}' should begin with a straight motion or a rapid", name);
+    if (!is_whole(first->orientation, space))
+        return fmt::format(
+            "the first point of the sub-path '{}' should have an orientation of its own, with all rotary "
+            "axes",
+            name);
+    bool known = false;
+    if (!has_own_feed(program, use->path, known))
+        return fmt::format("the sub-path '{}' should have a feed of its own before it cuts", name);
+    return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<void, Fault> reorder(Program& program, std::span<const std::size_t> order,
+                                  const MachineSpace& space) {
+    const std::vector<Target> targets = program.paths[program.root].targets;
+    const auto refused = [&](std::optional<std::size_t> target, std::string why) {
+        return OrderFault(Fault{{program.root, target}, std::move(why)});
+    };
+    std::vector<std::size_t> all(targets.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    if (!std::is_permutation(order.begin(), order.end(), all.begin(), all.end()))
+        return refused(std::nullopt,
+                       fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
+    for (const std::size_t i : all) {
+        if (auto fault = fault_of_moving(program, targets[i], space)) return refused(i, *fault);
+    }
+    if (auto fault = find_what_holds_on(program)) return OrderFault(*std::move(fault));
+    const States before(program);
+    Program changed = program;
+    for (std::size_t i = 0; i < order.size(); ++i) changed.paths[program.root].targets[i] = targets[order[i]];
+    const States behind(changed);
+    for (const std::size_t i : all) {
+        const std::size_t path = std::get<SubPath>(targets[i]).path;
+        if (!begins_alike(before.entry(path), behind.entry(path)))
+            return refused(i, fmt::format("the sub-path '{}' begins with something else running there",
+                                          program.paths[path].name));
+    }
+    program = std::move(changed);
+    return {};
+}
+
+}  // namespace gsim::path

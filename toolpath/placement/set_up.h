@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "toolpath/model/running.h"
+#include "toolpath/model/states.h"
+#include "toolpath/model/validate.h"
+
+namespace gsim::path {
+
+class MoveSink;
+
+/// Tells a sink the work offsets and the tools that paths name, before the first motion and where they
+/// change. A path is in its frame wherever it moves, and goes back to it behind a sub-path that has another
+/// one; behind its end that of its user holds again. A tool stays until another one is named.
+class SetUp {
+  public:
+    /// What is given must outlive this. `stops`: what a change of the tool stops; `jet`: the program has one.
+    SetUp(const Program& program, const States& states, std::size_t path, const ToolChangeStops& stops,
+          bool jet, MoveSink& sink)
+        : program_(program), states_(states), path_(path), stops_(stops), jet_(jet), sink_(sink) {
+        if (path != program.root) in_force_ = states.entry(path).frame.value();
+    }
+
+    /// Before a target of the path; `at` is the state before it, without its tool.
+    std::optional<Fault> before(std::size_t target, const State& at);
+    /// Behind the last one of a sub-path.
+    std::optional<Fault> finish(const State& at);
+    /// The frames that what follows may be in.
+    std::set<std::string> frames() const;
+
+  private:
+    std::optional<Fault> change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
+                                const State& at);
+    std::optional<Fault> change_tool(const Tool& tool, const State& at);
+    std::optional<Fault> must_be_rapid(const TargetId& id) const;
+    bool ends_elsewhere(const SubPath& use) const;
+    Fault fault(std::string sentence) const { return {{path_, target_}, std::move(sentence)}; }
+
+    const Program& program_;
+    const States& states_;
+    std::size_t path_;
+    const ToolChangeStops& stops_;
+    bool jet_;
+    MoveSink& sink_;
+    std::optional<std::size_t> target_;
+    std::optional<std::string> in_force_;  // none: that of the path's users, who differ; or none yet
+    bool changed_ = false;                 // since the last motion, or that was in another frame
+};
+
+}  // namespace gsim::path

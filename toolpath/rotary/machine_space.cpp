@@ -1,0 +1,251 @@
+#include "toolpath/rotary/machine_space.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/text/number.h"
+#include "base/units.h"
+#include "motion/kinematics/pose.h"
+#include "toolpath/model/arc_shape.h"
+
+namespace gsim::path {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using machine::AxisKind;
+
+constexpr double kUncoupled_mm = 1e-9;
+constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
+
+// What rounding leaves of zero would show as -0.000.
+double cleaned(double value) {
+    return std::abs(value) < 1e-10 ? 0.0 : value;
+}
+
+// That rotation, turned the shortest way (not by Eigen's FromTwoVectors(), which takes three seconds to
+// compile) so that Z goes in a direction of length 1.
+Eigen::Matrix3d turned_to_axis(const Eigen::Matrix3d& rotation, const Vector3d& direction) {
+    const Vector3d z = rotation.col(2);
+    const Vector3d across = z.cross(direction);
+    const double sine = across.norm();
+    const Vector3d about = sine > 0 ? Vector3d(across / sine) : Vector3d(rotation.col(0));
+    return Eigen::AngleAxisd(std::atan2(sine, z.dot(direction)), about) * rotation;
+}
+
+AxisValues pair(double first, double second) {
+    AxisValues values(2);
+    values[0] = first;
+    values[1] = second;
+    return values;
+}
+
+}  // namespace
+
+tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machine& machine) {
+    MachineSpace space(machine);
+    std::size_t linear_count = 0;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::Axis& axis = machine.axes[i];
+        if (axis.kind == AxisKind::rotary) {
+            space.rotary_.push_back(i);
+        } else if (axis.letter >= 'X' && axis.letter <= 'Z') {
+            space.linear_[static_cast<std::size_t>(axis.letter - 'X')] = i;
+            ++linear_count;
+        }
+    }
+    if (linear_count != 3) {
+        return tl::unexpected(fmt::format(
+            "the machine '{}' lacks linear axes X, Y and Z, by which programs of a path place the tool",
+            machine.name));
+    }
+    space.kinematics_ = machine::make_kinematics(machine);
+    space.study();
+    if (std::abs(space.to_linear_.determinant()) < 0.5 || !space.to_linear_.allFinite()) {
+        return tl::unexpected(fmt::format(
+            "X, Y and Z of the machine '{}' do not move the tool in three directions", machine.name));
+    }
+    return space;
+}
+
+// The tip is an affine function of the linear axes, for any position of the rotary ones.
+void MachineSpace::study() {
+    const auto affine = [this](const AxisValues& rotary, Vector3d& origin) {
+        AxisValues at = with_rotary(rotary);
+        origin = tip(at);
+        Matrix3d directions;
+        for (std::size_t i = 0; i < 3; ++i) {
+            AxisValues moved = at;
+            moved[static_cast<Eigen::Index>(linear_[i])] += 1;
+            directions.col(static_cast<Eigen::Index>(i)) = tip(moved) - origin;
+        }
+        return Matrix3d(directions.inverse());
+    };
+    AxisValues rotary = AxisValues::Zero(static_cast<Eigen::Index>(rotary_.size()));
+    to_linear_ = affine(rotary, tip_at_zero_);
+    coupled_ = false;
+    for (const double angle : {31.0, 77.0, -53.0}) {
+        for (Eigen::Index i = 0; i < rotary.size(); ++i) {
+            rotary[i] = angle + 11.0 * static_cast<double>(i);
+            Vector3d origin;
+            const Matrix3d turned = affine(rotary, origin);
+            coupled_ = coupled_ || (origin - tip_at_zero_).norm() > kUncoupled_mm ||
+                       (turned - to_linear_).norm() > kUncoupled_mm;
+        }
+    }
+}
+
+rrs::JointPos MachineSpace::joints(const AxisValues& axes) const {
+    rrs::JointPos joints(axes.size());
+    for (Eigen::Index i = 0; i < axes.size(); ++i) {
+        joints[i] = machine::joint_value(machine_->axes[static_cast<std::size_t>(i)], axes[i]);
+    }
+    return joints;
+}
+
+Vector3d MachineSpace::tip(const AxisValues& axes) const {
+    return kinematics_->forward(joints(axes)).translation();
+}
+
+Vector3d MachineSpace::tool_axis(const AxisValues& axes) const {
+    return kinematics_->forward(joints(axes)).linear().col(2);
+}
+
+AxisValues MachineSpace::home() const {
+    AxisValues values(static_cast<Eigen::Index>(machine_->axes.size()));
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        values[i] = machine_->axes[static_cast<std::size_t>(i)].home;
+    }
+    return values;
+}
+
+AxisValues MachineSpace::home_rotary() const {
+    AxisValues values(static_cast<Eigen::Index>(rotary_.size()));
+    for (std::size_t i = 0; i < rotary_.size(); ++i) {
+        values[static_cast<Eigen::Index>(i)] = rotary_axis(i).home;
+    }
+    return values;
+}
+
+// The linear axes are at 0, others at home.
+AxisValues MachineSpace::with_rotary(const AxisValues& rotary) const {
+    AxisValues values = home();
+    for (const std::size_t axis : linear_) values[static_cast<Eigen::Index>(axis)] = 0;
+    for (std::size_t i = 0; i < rotary_.size(); ++i) {
+        values[static_cast<Eigen::Index>(rotary_[i])] = rotary[static_cast<Eigen::Index>(i)];
+    }
+    return values;
+}
+
+AxisValues MachineSpace::axes(const Vector3d& tip_mm, const AxisValues& rotary) const {
+    AxisValues values = with_rotary(rotary);
+    Vector3d linear;
+    if (!coupled_) {
+        linear = to_linear_ * (tip_mm - tip_at_zero_);
+    } else {
+        const Vector3d origin = tip(values);
+        Matrix3d directions;
+        for (std::size_t i = 0; i < 3; ++i) {
+            AxisValues moved = values;
+            moved[static_cast<Eigen::Index>(linear_[i])] += 1;
+            directions.col(static_cast<Eigen::Index>(i)) = tip(moved) - origin;
+        }
+        linear = directions.inverse() * (tip_mm - origin);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        values[static_cast<Eigen::Index>(linear_[i])] = cleaned(linear[static_cast<Eigen::Index>(i)]);
+    }
+    return values;
+}
+
+Vector3d MachineSpace::linear(const AxisValues& axes) const {
+    return {axes[static_cast<Eigen::Index>(linear_[0])], axes[static_cast<Eigen::Index>(linear_[1])],
+            axes[static_cast<Eigen::Index>(linear_[2])]};
+}
+
+// Of an orientation that is an axis alone, the turn about it is that of `from` as far as can be: another one,
+// which the inverse kinematics may reach exactly, would draw them away from what is near.
+rrs::CartPos MachineSpace::pose_for(const Vector3d& tip_mm, const Orientation& orientation,
+                                    const rrs::JointPos& from) const {
+    rrs::CartPos pose;
+    if (const auto* axis = std::get_if<ToolAxis>(&orientation)) {
+        pose.linear() =
+            turned_to_axis(kinematics_->forward(from).linear(), to_eigen(axis->direction).normalized());
+    } else {
+        const auto& rpy = std::get<RollPitchYaw>(orientation);
+        pose = kinematics::pose_from_rpy(
+            {0, 0, 0, rpy.roll_deg * kRadPerDeg, rpy.pitch_deg * kRadPerDeg, rpy.yaw_deg * kRadPerDeg});
+    }
+    pose.translation() = tip_mm;
+    return pose;
+}
+
+tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(const Vector& tip_mm,
+                                                                            const Orientation& orientation,
+                                                                            const AxisValues& near) const {
+    const Vector3d tip = to_eigen(tip_mm);
+    std::vector<AxisValues> starts;
+    starts.reserve(3);
+    starts.push_back(near);
+    if (rotary_.size() == 2) {
+        starts.push_back(pair(near[0] + 180, -near[1]));
+        starts.push_back(pair(-near[0], near[1] + 180));
+    }
+    std::vector<AxisValues> found;
+    std::string fault;
+    for (const AxisValues& start : starts) {
+        const rrs::JointPos from = joints(axes(tip, start));
+        const auto solution = kinematics_->inverse(pose_for(tip, orientation, from), from);
+        if (!solution) {
+            if (fault.empty()) fault = solution.error();
+            continue;
+        }
+        AxisValues values(static_cast<Eigen::Index>(rotary_.size()));
+        for (std::size_t i = 0; i < rotary_.size(); ++i) {
+            values[static_cast<Eigen::Index>(i)] = cleaned(
+                machine::axis_value(rotary_axis(i), (*solution)[static_cast<Eigen::Index>(rotary_[i])]));
+        }
+        found.push_back(values);
+    }
+    if (found.empty()) return tl::unexpected(fault);
+    return found;
+}
+
+std::string MachineSpace::range_fault(const AxisValues& axes) const {
+    for (Eigen::Index i = 0; i < axes.size(); ++i) {
+        const machine::Axis& axis = machine_->axes[static_cast<std::size_t>(i)];
+        if (axes[i] >= axis.min - kSlack && axes[i] <= axis.max + kSlack) continue;
+        return fmt::format("out of reach: {} {:.6g} is outside {:.6g} to {:.6g}", axis.letter,
+                           text::unsigned_zero(axes[i]), text::unsigned_zero(axis.min),
+                           text::unsigned_zero(axis.max));
+    }
+    return {};
+}
+
+std::string MachineSpace::range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const {
+    const AxisValues at_home = home();
+    for (std::size_t i = 0; i < linear_.size(); ++i) {
+        const auto axis = static_cast<Eigen::Index>(linear_[i]);
+        axes[axis] = origin_mm ? axes[axis] + (*origin_mm)[i] : at_home[axis];
+    }
+    return range_fault(axes);
+}
+
+std::string MachineSpace::range_fault(const std::map<char, double>& axes) const {
+    AxisValues values = home();
+    for (const auto& [letter, value] : axes) {
+        if (const auto axis = machine_->find(letter)) values[static_cast<Eigen::Index>(*axis)] = value;
+    }
+    return range_fault(values);
+}
+
+std::optional<double> MachineSpace::top_mm() const {
+    const double top_mm = machine_->axes[linear_[2]].max;
+    return std::isfinite(top_mm) ? std::optional(top_mm) : std::nullopt;
+}
+
+}  // namespace gsim::path

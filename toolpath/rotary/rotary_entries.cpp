@@ -1,0 +1,49 @@
+#include "toolpath/rotary/rotary_entries.h"
+
+namespace gsim::path {
+
+namespace {
+
+/// What the users of one path hand over.
+struct Entry {
+    std::optional<AxisValues> rotary;
+    bool handed_over = false;
+
+    void merge(const std::optional<AxisValues>& other) {
+        if (!handed_over) {
+            rotary = other;
+        } else if (rotary && (!other || *rotary != *other)) {
+            rotary.reset();
+        }
+        handed_over = true;
+    }
+};
+
+}  // namespace
+
+std::vector<std::optional<AxisValues>> rotary_entries(const Program& program, const States& states,
+                                                      const std::vector<PathTurns>& turns) {
+    std::vector<Entry> entries(program.paths.size());
+    for (const std::size_t path : states.users_first()) {
+        std::optional<AxisValues> now = entries[path].rotary;
+        const std::vector<Target>& targets = program.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            const std::optional<AxisValues> behind =
+                turns[path].knows(i) ? std::optional(turns[path].at(i)) : now;
+            if (const auto* sub_path = std::get_if<SubPath>(&targets[i])) {
+                entries[sub_path->path].merge(now);
+                const AxisValues* between = turns[path].between_repeats(i);
+                if (sub_path->repeats > 1)
+                    entries[sub_path->path].merge(between != nullptr ? std::optional(*between) : behind);
+            }
+            const AxisValues* unwound = turns[path].unwinding(i);
+            now = unwound != nullptr ? std::optional(*unwound) : behind;
+        }
+    }
+    std::vector<std::optional<AxisValues>> rotary;
+    rotary.reserve(entries.size());
+    for (Entry& entry : entries) rotary.push_back(std::move(entry.rotary));
+    return rotary;
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,393 @@
+#include "toolpath/rotary/rotary_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "toolpath/rotary/rotary_candidates.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kSameTurn_deg = 1e-6;
+// What a turn on the spot costs beyond its angle: little with the jet off, more than any turning while
+// cutting.
+constexpr double kStopIdle_deg = 1;
+constexpr double kStopCutting_deg = 1e7;
+// The first point of a path is nowhere near anything; axes near home have room both ways.
+constexpr double kHomeShare = 1e-3;
+// A sub-path begins within half a turn of home, so that the axes can come there the short way from anywhere.
+constexpr double kFarEntry_deg = 1e9;
+constexpr int kMostUnwound = 1000;  // repeats that are calls of their own, since the axes unwind in between
+
+// The search through one path: of each target the candidates, and which one before led to each.
+class Search {
+  public:
+    explicit Search(std::size_t rotary_count) : rotary_count_(rotary_count) {}
+
+    /// Where the axes may stand; empty before the first target that says so.
+    const std::vector<AxisValues>& now() const { return now_; }
+    /// A target at the beginning leaves the axes as they come.
+    void pass() { ++unknown_; }
+
+    void begin(std::vector<AxisValues> candidates, const AxisValues& home, bool near_home) {
+        cost_.clear();
+        cost_.reserve(candidates.size());
+        for (const AxisValues& each : candidates) {
+            const double share = near_home && is_far(home, each) ? kFarEntry_deg : kHomeShare;
+            cost_.push_back(share * turn_between(home, each));
+        }
+        const std::vector<std::uint8_t> from(candidates.size(), 0);
+        add_layer(std::move(candidates), from);
+    }
+
+    /// Goes on to the candidates of the next target; before, the axes may turn on the spot. False where no
+    /// candidate can be reached by the short way that cutting demands.
+    bool step(std::vector<AxisValues> candidates, bool cutting, double stop_cost) {
+        turn_on_the_spot(stop_cost);
+        std::vector<double> next(candidates.size(), kNever);
+        std::vector<std::uint8_t> from(candidates.size(), 0);
+        for (std::size_t k = 0; k < now_.size(); ++k) {
+            const double most = cutting ? least_turn(now_[k], candidates) + kSameTurn_deg : kNever;
+            for (std::size_t m = 0; m < candidates.size(); ++m) {
+                const double turn = turn_between(now_[k], candidates[m]);
+                if (turn > most || cost_[k] + turn >= next[m]) continue;
+                next[m] = cost_[k] + turn;
+                from[m] = static_cast<std::uint8_t>(k);
+            }
+        }
+        cost_ = std::move(next);
+        add_layer(std::move(candidates), from);
+        return *std::min_element(cost_.begin(), cost_.end()) < kNever;
+    }
+
+    /// The target was a sub-path with one candidate, and leaves the axes at the first of these; to the others
+    /// they may turn on the spot.
+    void leave(std::vector<AxisValues> values) {
+        values_.resize(values_.size() - rotary_count_);
+        for (const AxisValues& each : values) values_.insert(values_.end(), each.begin(), each.end());
+        from_.resize(from_.size() + values.size() - 1, 0);
+        cost_.resize(values.size(), kNever);
+        now_ = std::move(values);
+    }
+
+    PathTurns result() const;
+
+  private:
+    static bool is_far(const AxisValues& home, const AxisValues& values) {
+        return home.size() > 0 && (values - home).cwiseAbs().maxCoeff() > 180 + kSameTurn_deg;
+    }
+
+    static double least_turn(const AxisValues& from, const std::vector<AxisValues>& candidates) {
+        double least = kNever;
+        for (const AxisValues& each : candidates) least = std::min(least, least_turn_between(from, each));
+        return least;
+    }
+
+    void add_layer(std::vector<AxisValues> candidates, const std::vector<std::uint8_t>& from) {
+        layers_.push_back(from_.size());
+        from_.insert(from_.end(), from.begin(), from.end());
+        for (const AxisValues& each : candidates) values_.insert(values_.end(), each.begin(), each.end());
+        now_ = std::move(candidates);
+    }
+
+    void turn_on_the_spot(double stop_cost) {
+        const std::vector<double> before = cost_;
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            auto from = static_cast<std::uint8_t>(k);
+            for (std::size_t j = 0; j < before.size(); ++j) {
+                const double cost = before[j] + stop_cost + turn_between(now_[j], now_[k]);
+                if (j == k || cost >= cost_[k]) continue;
+                cost_[k] = cost;
+                from = static_cast<std::uint8_t>(j);
+            }
+            turned_from_.push_back(from);
+        }
+    }
+
+    AxisValues value(std::size_t layer, std::size_t candidate) const {
+        AxisValues values(static_cast<Eigen::Index>(rotary_count_));
+        const std::size_t begin = (layers_[layer] + candidate) * rotary_count_;
+        std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(begin), rotary_count_, values.begin());
+        return values;
+    }
+
+    std::size_t rotary_count_;
+    std::size_t unknown_ = 0;
+    std::vector<AxisValues> now_;
+    std::vector<double> cost_;         // of each of now_
+    std::vector<std::size_t> layers_;  // where each target's candidates begin
+    std::vector<double> values_;       // of all candidates
+    std::vector<std::uint8_t> from_;   // which candidate before leads here
+    std::vector<std::uint8_t>
+        turned_from_;  // which candidate of the same target turns to this one on the spot
+};
+
+PathTurns Search::result() const {
+    PathTurns turns(rotary_count_);
+    turns.unknown = unknown_;
+    if (layers_.empty()) return turns;
+    turns.values.resize(layers_.size() * rotary_count_);
+    auto at = static_cast<std::size_t>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
+    for (std::size_t layer = layers_.size(); layer-- > 0;) {
+        const AxisValues values = value(layer, at);
+        std::copy(values.begin(), values.end(),
+                  turns.values.begin() + static_cast<std::ptrdiff_t>(layer * rotary_count_));
+        if (layer == 0) break;
+        const std::size_t left_as = from_[layers_[layer] + at];
+        at = turned_from_[layers_[layer - 1] + left_as];
+        if (at != left_as) turns.unwindings.push_back({unknown_ + layer - 1, value(layer - 1, left_as)});
+    }
+    std::reverse(turns.unwindings.begin(), turns.unwindings.end());
+    return turns;
+}
+
+class Planner {
+  public:
+    Planner(const Program& program, const MachineSpace& space, const States& states,
+            const RotaryOptions& options)
+        : program_(program),
+          space_(space),
+          states_(states),
+          options_(options),
+          jet_(has_jet(program)),
+          turns_(program.paths.size(), PathTurns(space.rotary_count())),
+          entries_(program.paths.size()) {}
+
+    tl::expected<std::vector<PathTurns>, Fault> run() {
+        const std::vector<std::size_t>& order = states_.users_first();
+        for (auto path = order.rbegin(); path != order.rend(); ++path) {
+            if (auto fault = plan(*path)) return tl::unexpected(*fault);
+        }
+        return std::move(turns_);
+    }
+
+  private:
+    using MaybeFault = std::optional<Fault>;
+
+    MaybeFault plan(std::size_t path) {
+        Search search(space_.rotary_count());
+        State state = states_.entry(path);
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            const auto* sub_path = std::get_if<SubPath>(&targets[i]);
+            const auto* place = std::get_if<MachinePoint>(&targets[i]);
+            auto fault = sub_path != nullptr ? enter(search, state, *sub_path, {path, i})
+                         : place != nullptr  ? go_to(search, state, *place, {path, i})
+                                             : go_to(search, state, std::get<Point>(targets[i]), {path, i});
+            if (fault) return fault;
+            states_.pass(state, targets[i]);
+        }
+        turns_[path] = search.result();
+        turns_[path].between = std::exchange(between_, {});
+        entries_[path] = entry_of(path);
+        return std::nullopt;
+    }
+
+    // None of a path that leaves the axes as they come.
+    std::optional<AxisValues> entry_of(std::size_t path) const {
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        const std::size_t first = turns_[path].unknown;
+        if (first == targets.size()) return std::nullopt;
+        const auto* sub_path = std::get_if<SubPath>(&targets[first]);
+        return sub_path != nullptr ? entries_[sub_path->path] : turns_[path].at(first);
+    }
+
+    bool cuts(const Point& point, const State& before) const {
+        return is_cutting(point, before, jet_) && !options_.as_given;
+    }
+    // Whether a sub-path begins with a motion at which the tool cuts.
+    bool cuts_into(const SubPath& use, const State& before) const {
+        const Target& first = program_.paths[use.path].targets.front();
+        if (const auto* inner = std::get_if<SubPath>(&first)) return cuts_into(*inner, before);
+        const auto* point = std::get_if<Point>(&first);
+        return point != nullptr && cuts(*point, before);
+    }
+    AxisValues exit_of(std::size_t path) const {
+        return turns_[path].at(program_.paths[path].targets.size() - 1);
+    }
+
+    MaybeFault enter(Search& search, State& state, const SubPath& sub_path, const TargetId& id) {
+        const bool cutting = cuts_into(sub_path, state);
+        const std::optional<AxisValues>& entry = entries_[sub_path.path];
+        if (!entry) return stay(search, state, id);
+        const AxisValues exit = exit_of(sub_path.path);
+        if (auto fault = advance(search, state, cutting, {*entry}, id)) return fault;
+        if (sub_path.repeats > 1) {
+            if (auto fault = check_repeats(state, sub_path, id)) return fault;
+        }
+        std::vector<AxisValues> behind{exit};
+        add_whole_turns(space_, exit, exit, behind);
+        search.leave(std::move(behind));
+        return std::nullopt;
+    }
+
+    // Where the sub-path begins while the tool cuts, the axes come to its beginning by the short way too.
+    MaybeFault check_repeats(const State& before, const SubPath& sub_path, const TargetId& id) {
+        const AxisValues& entry = *entries_[sub_path.path];
+        const AxisValues exit = exit_of(sub_path.path);
+        State again = before;
+        states_.pass(again, Target(sub_path));
+        const bool short_way = turn_between(exit, entry) <= least_turn_between(exit, entry) + kSameTurn_deg;
+        if (short_way || !cuts_into(sub_path, again)) return std::nullopt;
+        AxisValues unwound = entry;
+        for (Eigen::Index i = 0; i < unwound.size(); ++i) {
+            unwound[i] += std::remainder(exit[i] - entry[i], 360.0);
+            const machine::Axis& axis = space_.rotary_axis(static_cast<std::size_t>(i));
+            if (unwound[i] < axis.min || unwound[i] > axis.max || sub_path.repeats > kMostUnwound) {
+                return Fault{id,
+                             "the sub-path cannot be repeated: the rotary axes would have to unwind each "
+                             "time before its first point, and have no room for that"};
+            }
+        }
+        between_.push_back({*id.target, unwound});
+        return std::nullopt;
+    }
+
+    // The axes stay as they are, wherever that is.
+    MaybeFault stay(Search& search, const State& state, const TargetId& id) {
+        if (!search.now().empty()) return advance(search, state, false, search.now(), id);
+        search.pass();
+        return std::nullopt;
+    }
+
+    // It turns the axes that it names.
+    MaybeFault go_to(Search& search, const State& state, const MachinePoint& point, const TargetId& id) {
+        std::size_t named = 0;
+        for (std::size_t i = 0; i < space_.rotary_count(); ++i)
+            named += point.axes.contains(space_.rotary_axis(i).letter) ? 1 : 0;
+        if (named == 0 && space_.rotary_count() > 0) return stay(search, state, id);
+        std::vector<AxisValues> from = search.now();
+        if (from.empty() && named < space_.rotary_count()) {
+            return Fault{id,
+                         fmt::format("{} says of some rotary axes where they stand there, and nothing before "
+                                     "it does of the others; begin with a point that has an orientation",
+                                     title_of(point))};
+        }
+        if (from.empty()) from.push_back(space_.home_rotary());
+        std::vector<AxisValues> next;
+        for (AxisValues& each : from) {
+            for (std::size_t i = 0; i < space_.rotary_count(); ++i) {
+                const auto value = point.axes.find(space_.rotary_axis(i).letter);
+                if (value != point.axes.end()) each[static_cast<Eigen::Index>(i)] = value->second;
+            }
+            if (std::find(next.begin(), next.end(), each) == next.end()) next.push_back(each);
+        }
+        return advance(search, state, false, std::move(next), id);
+    }
+
+    MaybeFault go_to(Search& search, const State& state, const Point& point, const TargetId& id) {
+        const bool cutting = cuts(point, state);
+        if (space_.rotary_count() == 0) {
+            if (point.orientation && !std::holds_alternative<ToolAxis>(*point.orientation)) {
+                auto none = candidates(search, point, *point.orientation);
+                if (!none) return Fault{id, none.error()};
+            }
+            return advance(search, state, cutting, {AxisValues(0)}, id);
+        }
+        const bool stays = !point.orientation && !search.now().empty() && !state.orientation.differs();
+        if (stays) return advance(search, state, cutting, search.now(), id);
+        const std::optional<Orientation> orientation =
+            point.orientation ? point.orientation : state.orientation.value();
+        if (!orientation) return Fault{id, missing_orientation(state)};
+        auto found = candidates(search, point, *orientation);
+        if (!found) return Fault{id, found.error()};
+        return advance(search, state, cutting, std::move(*found), id);
+    }
+
+    static std::string missing_orientation(const State& state) {
+        if (state.orientation.differs() && state.at_machine_point.value() == true) {
+            return "the point needs an orientation: the fixed or reference point before it has turned the "
+                   "rotary axes";
+        }
+        if (state.orientation.differs()) {
+            return "the first point of this sub-path needs an orientation: the places that use it hand over "
+                   "different ones";
+        }
+        return "the point needs an orientation: the machine has rotary axes, and no point before says where "
+               "they stand";
+    }
+
+    tl::expected<std::vector<AxisValues>, std::string> candidates(const Search& search, const Point& point,
+                                                                  const Orientation& orientation) const {
+        const std::vector<AxisValues> home{space_.home_rotary()};
+        return rotary_candidates(space_, point.position_mm, orientation,
+                                 search.now().empty() ? home : search.now(), options_.as_given);
+    }
+
+    MaybeFault advance(Search& search, const State& state, bool cutting, std::vector<AxisValues> next,
+                       const TargetId& id) const {
+        if (search.now().empty()) {
+            search.begin(std::move(next), space_.home_rotary(), id.path != program_.root);
+            return std::nullopt;
+        }
+        const bool jet_off = jet_ && state.jet_on.value() == false;
+        if (search.step(std::move(next), cutting, jet_off ? kStopIdle_deg : kStopCutting_deg)) {
+            return std::nullopt;
+        }
+        return Fault{id,
+                     "out of reach: while the tool cuts, the rotary axes cannot go the short way from the "
+                     "point before within their ranges"};
+    }
+
+    const Program& program_;
+    const MachineSpace& space_;
+    const States& states_;
+    const RotaryOptions& options_;
+    bool jet_;
+    std::vector<PathTurns> turns_;
+    std::vector<std::optional<AxisValues>> entries_;  // where each path begins
+    std::vector<PathTurns::Unwinding> between_;       // of the path being planned
+};
+
+}  // namespace
+
+AxisValues PathTurns::at(std::size_t target) const {
+    AxisValues found(static_cast<Eigen::Index>(count_));
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>((target - unknown) * count_), count_,
+                found.begin());
+    return found;
+}
+
+const AxisValues* PathTurns::find(const std::vector<Unwinding>& list, std::size_t target) {
+    const auto found =
+        std::lower_bound(list.begin(), list.end(), target,
+                         [](const Unwinding& each, std::size_t wanted) { return each.target < wanted; });
+    return found != list.end() && found->target == target ? &found->to : nullptr;
+}
+
+const AxisValues* PathTurns::unwinding(std::size_t target) const {
+    return find(unwindings, target);
+}
+
+const AxisValues* PathTurns::between_repeats(std::size_t target) const {
+    return find(between, target);
+}
+
+bool has_jet(const Program& program) {
+    for (const Path& path : program.paths) {
+        for (const Target& target : path.targets) {
+            const std::vector<std::string>& actions = actions_of(target);
+            if (std::find(actions.begin(), actions.end(), "waterjet_on") != actions.end()) return true;
+        }
+    }
+    return false;
+}
+
+bool is_cutting(const Point& point, const State& before, bool program_has_jet) {
+    if (point.motion == MotionType::rapid) return false;
+    return !program_has_jet || before.jet_on.value() != false;
+}
+
+tl::expected<std::vector<PathTurns>, Fault> plan_rotary(const Program& program, const MachineSpace& space,
+                                                        const States& states, const RotaryOptions& options) {
+    return Planner(program, space, states, options).run();
+}
+
+}  // namespace gsim::path
