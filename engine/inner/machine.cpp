@@ -6,6 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "analysis/check/machine_check.h"
+#include "analysis/envelope/outline_files.h"
+#include "analysis/envelope/stl.h"
+#include "analysis/envelope/volume.h"
 #include "base/text/nearest_name.h"
 #include "base/units.h"
 #include "engine/inner/guarded.h"
@@ -14,10 +18,6 @@
 #include "engine/inner/values.h"
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/check/machine_check.h"
-#include "runtime/envelope/outline_files.h"
-#include "runtime/envelope/stl.h"
-#include "runtime/envelope/volume.h"
 
 namespace gsim::engine {
 

@@ -1,6 +1,6 @@
 // Which way axes move the tool: sentences, senses, the picture; axes by directions and by tables.
 
-#include "runtime/check/axis_motion.h"
+#include "analysis/check/axis_motion.h"
 
 #include <random>
 
@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/check/machine_check.h"
 #include "collision/cell/machine_shapes.h"
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/dh_chain.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/check/machine_check.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::check::axis_motion_test {

@@ -1,4 +1,4 @@
-#include "runtime/check/machine_check.h"
+#include "analysis/check/machine_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "runtime/envelope/tip_chain.h"
+#include "analysis/envelope/tip_chain.h"
 
 namespace gsim::envelope {
 

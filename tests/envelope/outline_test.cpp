@@ -1,4 +1,4 @@
-#include "runtime/envelope/outline.h"
+#include "analysis/envelope/outline.h"
 
 #include <gtest/gtest.h>
 

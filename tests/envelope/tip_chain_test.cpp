@@ -1,4 +1,4 @@
-#include "runtime/envelope/tip_chain.h"
+#include "analysis/envelope/tip_chain.h"
 
 #include <string>
 

@@ -1,11 +1,11 @@
-#include "runtime/envelope/volume.h"
+#include "analysis/envelope/volume.h"
 
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "analysis/envelope/stl.h"
 #include "machine/file/machine_file.h"
-#include "runtime/envelope/stl.h"
 #include "tests/build_files/build_files.h"
 #include "tests/envelope/chains.h"
 

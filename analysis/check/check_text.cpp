@@ -1,0 +1,182 @@
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "analysis/check/machine_check.h"
+#include "base/text/format.h"
+#include "base/text/number.h"
+#include "base/units.h"
+#include "machine/model/group_motion.h"
+
+namespace gsim::check {
+
+namespace {
+
+using cell::Verdict;
+
+// Names come from strangers' files: nothing that a terminal would take as a command.
+std::string clean(std::string_view text) {
+    std::string out(text);
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return out;
+}
+
+const char* inverse_name(machine::InverseKind kind) {
+    switch (kind) {
+        case machine::InverseKind::gantry: return "gantry (closed form)";
+        case machine::InverseKind::numeric: return "numeric";
+        case machine::InverseKind::none: break;
+    }
+    return "none";
+}
+
+std::string or_none(double value) {
+    return std::isfinite(value) ? fmt::format("{:.6g}", text::unsigned_zero(value)) : "-";
+}
+
+class Text {
+  public:
+    explicit Text(const MachineCheck& check) : check_(check), machine_(check.machine) {}
+
+    std::string take() {
+        head();
+        axes();
+        groups();
+        motions();
+        inverse();
+        singular();
+        meetings();
+        for (const std::string& note : check_.notes) add("note       {}\n", note);
+        verdict();
+        return std::move(text_);
+    }
+
+  private:
+    template <typename... Args>
+    void add(fmt::format_string<Args...> format, Args&&... args) {
+        text::append_format(text_, format, std::forward<Args>(args)...);
+    }
+
+    std::string letters(const std::vector<int>& joints) const {
+        std::vector<char> list;
+        list.reserve(joints.size());
+        for (const int joint : joints) list.push_back(machine_.axes[static_cast<std::size_t>(joint)].letter);
+        return text::joined(list, " ");
+    }
+
+    void head() {
+        add("machine    {}\n", clean(machine_.name));
+        add("controller {}\n", clean(machine_.controller.model));
+        add("inverse    {}{}\n", inverse_name(machine_.inverse),
+            check_.has_head ? ", a head that turns the tool about its tip" : "");
+    }
+
+    void axes() {
+        add("\naxis  kind    carries        min        max       home  speed (/s)  accel. (/s2)\n");
+        for (const machine::Axis& axis : machine_.axes) {
+            const bool linear = axis.kind == machine::AxisKind::linear;
+            add("{}     {:<7} {:<7} {:>10} {:>10} {:>10.6g} {:>11} {:>13}\n", axis.letter,
+                linear ? "mm" : "deg", machine::name(axis.carries), or_none(axis.min), or_none(axis.max),
+                text::unsigned_zero(axis.home), or_none(axis.max_speed), or_none(axis.max_acceleration));
+        }
+        const Eigen::Vector3d tip = check_.home.translation();
+        add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tip.x(), 3),
+            text::fixed(tip.y(), 3), text::fixed(tip.z(), 3));
+    }
+
+    void groups() {
+        for (const machine::AxisGroup& group : machine_.groups) {
+            const bool work = machine_.axes[group.axes.front()].carries == machine::Carries::work;
+            std::vector<char> letters;
+            for (const std::size_t axis : group.axes) letters.push_back(machine_.axes[axis].letter);
+            add("group      {}: {} ({}), {}\n", group.name, text::joined(letters, " "),
+                work ? "work" : "tool", machine::name(group.motion));
+        }
+    }
+
+    void motions() {
+        for (const AxisMotion& motion : check_.motions) add("motion     {}\n", to_sentence(motion));
+        for (const std::string& sentence : check_.left_handed) add("wrong      {}\n", sentence);
+    }
+
+    void inverse() {
+        const InverseCheck& inverse = check_.inverse;
+        if (inverse.poses == 0) return;
+        add("inverse    {} random poses, to {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
+            inverse.worst_rad * kDegPerRad);
+        if (inverse.closes()) return add("all come back\n");
+        add("{} without a solution, {} out of range, {} elsewhere\n", inverse.unsolved, inverse.out_of_range,
+            inverse.off);
+        add("           first at {}\n", axis_values(machine_, inverse.first_bad));
+        if (!inverse.sentence.empty()) add("           {}\n", clean(inverse.sentence));
+    }
+
+    void singular() {
+        for (const SingularRange& range : check_.singular.ranges) {
+            const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(range.joint)];
+            add("singular   {} {} .. {} deg, whatever the others: {} line up\n", axis.letter,
+                text::fixed(machine::axis_value(axis, range.low), 2),
+                text::fixed(machine::axis_value(axis, range.high), 2), letters(range.lined_up));
+        }
+        add("singular   {:.2f} % of random stances are near a singular one\n",
+            100 * check_.singular.near_share);
+    }
+
+    void meetings() {
+        if (check_.bodies.empty()) return;
+        add("bodies     {}; pairs {}: {} can touch, {} not decided, {} cannot touch\n", check_.bodies.size(),
+            check_.meetings.size(), check_.count(Verdict::contact), check_.count(Verdict::undecided),
+            check_.count(Verdict::free));
+        for (const Verdict verdict : {Verdict::contact, Verdict::undecided, Verdict::free}) {
+            for (const cell::MeetingFinding& meeting : check_.meetings) {
+                if (meeting.verdict == verdict) add_meeting(meeting);
+            }
+        }
+    }
+
+    void add_meeting(const cell::MeetingFinding& meeting) {
+        const std::string pair = fmt::format("{} and {}", clean(check_.bodies[meeting.items.first]),
+                                             clean(check_.bodies[meeting.items.second]));
+        const std::string at = axis_values(machine_, meeting.joints);
+        switch (meeting.verdict) {
+            case Verdict::contact:
+                return add("touch      {}: in {:.1f} % of the samples, such as {}\n", pair,
+                           100 * meeting.contact_share, at);
+            case Verdict::undecided:
+                return add("undecided  {}: nearest found {:.3f} mm, at {}\n", pair, meeting.nearest_mm, at);
+            case Verdict::free:
+                return add("free       {}: nearest found {:.3f} mm\n", pair, meeting.nearest_mm);
+        }
+    }
+
+    void verdict() {
+        if (check_.is_clean()) return add("clean: nothing was found\n");
+        add("found:");
+        const char* before = " ";
+        const auto item = [&](std::size_t count, const char* what) {
+            if (count == 0) return;
+            add("{}{} {}", before, count, what);
+            before = ", ";
+        };
+        item(check_.count(Verdict::contact), "pairs can touch");
+        item(check_.count(Verdict::undecided), "pairs are not decided");
+        item(check_.left_handed.size(), "left-handed sets of axes");
+        if (!check_.inverse.closes()) add("{}the inverse does not lead back", before);
+        add("\n");
+    }
+
+    const MachineCheck& check_;
+    const machine::Machine& machine_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string to_text(const MachineCheck& check) {
+    return Text(check).take();
+}
+
+}  // namespace gsim::check

@@ -1,0 +1,83 @@
+#include "analysis/envelope/volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analysis/envelope/nearest_reach.h"
+
+namespace gsim::envelope {
+
+namespace {
+
+constexpr double kSameWay = 1e-12;
+
+// Slides that go the same way are one. Nothing where there is anything but three slides in the end.
+std::vector<TipJoint> three_slides(const TipChain& chain) {
+    std::vector<TipJoint> slides;
+    for (const TipJoint& joint : chain.joints) {
+        if (!joint.is_slide()) return {};
+        const auto same = std::find_if(slides.begin(), slides.end(), [&](const TipJoint& other) {
+            return joint.direction.cross(other.direction).norm() < kSameWay;
+        });
+        if (same == slides.end()) {
+            slides.push_back(joint);
+            continue;
+        }
+        const bool reversed = joint.direction.dot(same->direction) < 0;
+        same->low += reversed ? -joint.high : joint.low;
+        same->high += reversed ? -joint.low : joint.high;
+    }
+    if (slides.size() != 3) return {};
+    const double sense = slides[0].direction.dot(slides[1].direction.cross(slides[2].direction));
+    if (std::abs(sense) < kSameWay) return {};
+    if (sense < 0) std::swap(slides[0], slides[1]);
+    return slides;
+}
+
+Surface block(const TipChain& chain, const std::vector<TipJoint>& slides) {
+    Surface surface;
+    surface.points_mm.reserve(8);
+    for (int i = 0; i < 8; ++i) {
+        Vector3d corner = chain.start_mm;
+        for (int k = 0; k < 3; ++k) {
+            const TipJoint& slide = slides[static_cast<std::size_t>(k)];
+            corner = slide.moved(corner, (i >> k & 1) != 0 ? slide.high : slide.low);
+        }
+        surface.points_mm.push_back(corner);
+    }
+    surface.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                         {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return surface;
+}
+
+}  // namespace
+
+Volume reached_volume(const TipChain& chain, int nodes) {
+    if (const auto slides = three_slides(chain); !slides.empty()) return {block(chain, slides), 0, 0};
+    const ReachField field(chain, nodes);
+    Volume volume{surface_at(field.grid(), field.level_mm()), field.grid().step_mm, 2 * field.level_mm()};
+    // All that is reached lies within this surface; its corners go to the nearest places that are.
+    for (Vector3d& point : volume.surface.points_mm) {
+        const Vector3d reached = nearest_reach(chain, field.nearest_values(point), point);
+        volume.error_mm = std::max(volume.error_mm, (reached - point).norm());
+        point = reached;
+    }
+    return volume;
+}
+
+tl::expected<TipChain, std::string> envelope_chain(const machine::Machine& machine) {
+    const machine::JointBox box = machine::joint_box(machine);
+    TipChain chain = tip_chain(machine, box);
+    if (chain.joints.empty())
+        return tl::unexpected<std::string>("there is no envelope: no axis moves the tool's tip");
+    for (const TipJoint& joint : chain.joints) {
+        if (std::find(box.cut.begin(), box.cut.end(), joint.joint) == box.cut.end()) continue;
+        return tl::unexpected(fmt::format("there is no envelope: axis {} has a range without end",
+                                          machine.axes[static_cast<std::size_t>(joint.joint)].letter));
+    }
+    return chain;
+}
+
+}  // namespace gsim::envelope
