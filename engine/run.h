@@ -97,7 +97,7 @@ class GSIM_API Run {
     /// What the motors bring up. The error: the machine file does not tell of masses.
     tl::expected<void, Failure> take_efforts(TakeEfforts take, std::size_t robot = 0);
     /// `observer`, which outlives the run, is told what it asks of its controller, for use on other machines
-    /// (runtime/simulation/motion_replay.h).
+    /// (runtime/motion_sources/motion_replay.h).
     void observe_motion(simulation::MotionObserver& observer, std::size_t robot = 0);
     /// Where axes and tip really are. The error: the machine file does not tell of servo loops.
     tl::expected<void, Failure> take_following(TakeFollowing take, std::size_t robot = 0);

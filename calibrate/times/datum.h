@@ -7,8 +7,8 @@
 #include "calibrate/times/passages.h"
 #include "calibrate/times/recorded_run.h"
 #include "machine/model/machine.h"
-#include "runtime/simulation/motion_log.h"
-#include "runtime/simulation/motion_replay.h"
+#include "runtime/motion_sources/motion_log.h"
+#include "runtime/motion_sources/motion_replay.h"
 
 namespace gsim::calibrate {
 

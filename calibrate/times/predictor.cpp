@@ -17,8 +17,8 @@
 #include "engine/run.h"
 #include "machine/file/machine_file.h"
 #include "machine/file/times_section.h"
-#include "runtime/simulation/motion_replay.h"
-#include "runtime/simulation/setup_of_machine.h"
+#include "runtime/motion_sources/motion_replay.h"
+#include "runtime/simulator/setup_of_machine.h"
 
 namespace gsim::calibrate {
 

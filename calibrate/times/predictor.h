@@ -10,7 +10,7 @@
 #include "calibrate/times/datum.h"
 #include "calibrate/times/recorded_run.h"
 #include "machine/model/machine.h"
-#include "runtime/simulation/motion_log.h"
+#include "runtime/motion_sources/motion_log.h"
 
 namespace gsim::calibrate {
 

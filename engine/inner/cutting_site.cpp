@@ -8,7 +8,7 @@
 #include "cam/transit/clear_ways.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/values.h"
-#include "runtime/simulation/setup_of_machine.h"
+#include "runtime/simulator/setup_of_machine.h"
 
 namespace gsim::engine {
 

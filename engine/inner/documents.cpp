@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/inner/values.h"
-#include "runtime/simulation/moves_writer.h"
+#include "runtime/outputs/moves_writer.h"
 #include "toolpath/json/json_writer.h"
 
 namespace gsim::engine {

@@ -10,16 +10,16 @@
 #include <tl/expected.hpp>
 
 #include "engine/run.h"
+#include "runtime/monitors/path_bound.h"
+#include "runtime/outputs/dxf_writer.h"
+#include "runtime/outputs/plot_data.h"
+#include "runtime/outputs/plot_script.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/outputs/text_stream.h"
+#include "runtime/outputs/trajectory_writer.h"
 #include "runtime/record/path_recorder.h"
-#include "runtime/simulation/dxf_writer.h"
-#include "runtime/simulation/path_bound.h"
-#include "runtime/simulation/plot_data.h"
-#include "runtime/simulation/plot_script.h"
-#include "runtime/simulation/run_output.h"
-#include "runtime/simulation/simulator.h"
-#include "runtime/simulation/text_stream.h"
-#include "runtime/simulation/time_by_limit.h"
-#include "runtime/simulation/trajectory_writer.h"
+#include "runtime/report/time_by_limit.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::engine {
 

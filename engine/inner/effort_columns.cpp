@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "motion/dynamics/segment_efforts.h"
-#include "runtime/simulation/effort_watch.h"
+#include "runtime/monitors/effort_watch.h"
 
 namespace gsim::engine {
 

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "engine/columns.h"
-#include "runtime/simulation/following_motion.h"
-#include "runtime/simulation/run_output.h"
+#include "runtime/monitors/following_motion.h"
+#include "runtime/outputs/run_output.h"
 
 namespace gsim::engine {
 

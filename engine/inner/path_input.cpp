@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/os/input_file.h"
-#include "runtime/script/path_script.h"
+#include "runtime/script/paths/path_script.h"
 #include "toolpath/json/json_reader.h"
 
 namespace gsim::engine {

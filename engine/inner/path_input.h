@@ -7,7 +7,7 @@
 #include "base/os/cpu_limit.h"
 #include "base/os/files.h"
 #include "engine/path_translation.h"
-#include "runtime/script/lua_state.h"
+#include "runtime/script/lua/lua_state.h"
 #include "toolpath/model/place.h"
 
 namespace gsim::engine {

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "machine/model/machine.h"
-#include "runtime/simulation/probe.h"
+#include "runtime/simulator/probe.h"
 
 namespace gsim::engine {
 

@@ -7,8 +7,8 @@
 
 #include "engine/inner/remedy.h"
 #include "engine/inner/run_inputs.h"
-#include "runtime/script/engine.h"
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
+#include "runtime/script/engine/engine.h"
 
 namespace gsim::engine {
 

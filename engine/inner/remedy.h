@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/inner/run_inputs.h"
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
 
 namespace gsim::engine {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "engine/inner/values.h"
-#include "runtime/simulation/report.h"
-#include "runtime/simulation/report_diagnostics.h"
-#include "runtime/simulation/robots_report.h"
+#include "runtime/report/report.h"
+#include "runtime/report/report_diagnostics.h"
+#include "runtime/report/robots_report.h"
 
 namespace gsim::engine {
 

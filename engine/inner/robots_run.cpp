@@ -11,7 +11,7 @@
 #include "engine/inner/process_words.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/word_table.h"
-#include "runtime/simulation/machine_dynamics.h"
+#include "runtime/simulator/machine_dynamics.h"
 
 namespace gsim::engine {
 

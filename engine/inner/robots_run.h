@@ -9,10 +9,10 @@
 
 #include "engine/inner/program_run.h"
 #include "engine/inner/run_inputs.h"
-#include "runtime/process/robots_file.h"
-#include "runtime/script/engine.h"
-#include "runtime/simulation/robots_report.h"
-#include "runtime/simulation/robots_watch.h"
+#include "runtime/monitors/robots_watch.h"
+#include "runtime/processes/robots_file.h"
+#include "runtime/report/robots_report.h"
+#include "runtime/script/engine/engine.h"
 
 namespace gsim::engine {
 

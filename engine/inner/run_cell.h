@@ -8,7 +8,7 @@
 
 #include "engine/host.h"
 #include "geometry/mesh/mesh_file.h"
-#include "runtime/simulation/cell_watch.h"
+#include "runtime/monitors/cell_watch.h"
 
 namespace gsim::engine {
 

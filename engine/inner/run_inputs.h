@@ -12,9 +12,9 @@
 #include "engine/inner/script_input.h"
 #include "engine/request.h"
 #include "machine/data/machine_data_document.h"
-#include "runtime/script/script.h"
-#include "runtime/simulation/cell_watch.h"
-#include "runtime/simulation/probe.h"
+#include "runtime/monitors/cell_watch.h"
+#include "runtime/script/lua/script.h"
+#include "runtime/simulator/probe.h"
 
 namespace gsim::engine {
 

@@ -3,7 +3,7 @@
 #include "engine/inner/host_names.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/variables_text.h"
-#include "runtime/simulation/machine_dynamics.h"
+#include "runtime/simulator/machine_dynamics.h"
 
 namespace gsim::engine {
 

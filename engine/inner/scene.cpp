@@ -7,7 +7,7 @@
 #include "base/text/json.h"
 #include "motion/kinematics/chain.h"
 #include "motion/path/axis_space.h"
-#include "runtime/simulation/part_tip.h"
+#include "runtime/monitors/part_tip.h"
 
 namespace gsim::engine {
 

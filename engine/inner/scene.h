@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::engine {
 

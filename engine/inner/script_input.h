@@ -15,7 +15,7 @@
 #include "engine/request.h"
 #include "lexer/source.h"
 #include "machine/model/program_table.h"
-#include "runtime/script/script.h"
+#include "runtime/script/lua/script.h"
 
 namespace gsim::engine {
 

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "motion/planner/planner_setup.h"
-#include "runtime/simulation/part_tip.h"
-#include "runtime/simulation/setup_of_machine.h"
-#include "runtime/simulation/tip_curve.h"
+#include "runtime/monitors/part_tip.h"
+#include "runtime/outputs/tip_curve.h"
+#include "runtime/simulator/setup_of_machine.h"
 
 namespace gsim::engine {
 

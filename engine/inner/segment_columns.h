@@ -5,7 +5,7 @@
 
 #include "engine/columns.h"
 #include "machine/model/machine.h"
-#include "runtime/simulation/run_output.h"
+#include "runtime/outputs/run_output.h"
 
 namespace gsim::engine {
 

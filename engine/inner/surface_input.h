@@ -8,7 +8,7 @@
 #include "cam/solid/contours.h"
 #include "cam/surface/surface_path.h"
 #include "engine/drawing_path.h"
-#include "runtime/script/contour_choice.h"
+#include "runtime/script/paths/contour_choice.h"
 
 namespace gsim::engine {
 

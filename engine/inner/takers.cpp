@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/inner/values.h"
-#include "runtime/simulation/sampler.h"
+#include "runtime/outputs/sampler.h"
 
 namespace gsim::engine {
 

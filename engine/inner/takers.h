@@ -7,7 +7,7 @@
 
 #include "engine/motion.h"
 #include "machine/model/machine.h"
-#include "runtime/simulation/run_output.h"
+#include "runtime/outputs/run_output.h"
 
 namespace gsim::engine {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "codegen/program_signs.h"
-#include "runtime/simulation/run_limits.h"
+#include "runtime/simulator/run_limits.h"
 
 namespace gsim::engine {
 

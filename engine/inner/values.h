@@ -9,7 +9,7 @@
 #include "engine/motion.h"
 #include "engine/report.h"
 #include "machine/model/machine.h"
-#include "runtime/simulation/robots_report.h"
+#include "runtime/report/robots_report.h"
 
 namespace gsim::engine {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "grammar/dialect.h"
-#include "runtime/script/script.h"
+#include "runtime/script/lua/script.h"
 
 namespace gsim::engine {
 

@@ -8,7 +8,7 @@
 #include "engine/system/installed_files.h"
 #include "geometry/mesh/mesh.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/simulation/setup_of_machine.h"
+#include "runtime/simulator/setup_of_machine.h"
 
 namespace gsim::engine {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
 
 namespace gsim::record {
 

@@ -12,7 +12,7 @@
 
 #include "runtime/record/path_builder.h"
 #include "runtime/record/tool_place.h"
-#include "runtime/simulation/program_observer.h"
+#include "runtime/simulator/program_observer.h"
 #include "toolpath/model/path.h"
 
 namespace gsim::record {

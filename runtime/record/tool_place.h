@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "machine/model/machine.h"
-#include "runtime/simulation/commands.h"
+#include "runtime/simulator/commands.h"
 #include "toolpath/model/path.h"
 
 namespace gsim::record {

@@ -5,7 +5,7 @@
 #include "collision/cell/cell_file.h"
 #include "engine/inner/override_changes.h"
 #include "machine/file/machine_file.h"
-#include "runtime/process/robots_file.h"
+#include "runtime/processes/robots_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/small_run.h"

@@ -8,7 +8,7 @@
 #include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
 #include "machine/file/machine_file.h"
-#include "runtime/script/path_script.h"
+#include "runtime/script/paths/path_script.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 #include "toolpath/json/json_reader.h"

@@ -10,9 +10,9 @@
 
 #include "base/text/json.h"
 #include "engine/inner/word_table.h"
-#include "runtime/script/engine.h"
-#include "runtime/simulation/cell_watch.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/monitors/cell_watch.h"
+#include "runtime/script/engine/engine.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::fuzz {
 namespace {

@@ -8,7 +8,7 @@
 #include "controller/module/rcs_host.h"
 #include "machine/model/machine.h"
 #include "motion/planner/override_schedule.h"
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
 #include "tests/fuzz/target.h"
 
 namespace gsim::fuzz {

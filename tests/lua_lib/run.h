@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "machine/data/machine_data.h"
-#include "runtime/script/engine.h"
-#include "runtime/simulation/probe.h"
-#include "runtime/simulation/report.h"
-#include "runtime/simulation/run_output.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/report.h"
+#include "runtime/script/engine/engine.h"
+#include "runtime/simulator/probe.h"
 
 namespace gsim::script {
 

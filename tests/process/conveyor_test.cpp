@@ -1,4 +1,4 @@
-#include "runtime/process/conveyor.h"
+#include "runtime/processes/conveyor.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "runtime/process/robots_file.h"
+#include "runtime/processes/robots_file.h"
 
 #include <gtest/gtest.h>
 

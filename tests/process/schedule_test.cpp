@@ -1,6 +1,6 @@
 // Who goes next, and who waits for what.
 
-#include "runtime/process/schedule.h"
+#include "runtime/processes/schedule.h"
 
 #include <gtest/gtest.h>
 

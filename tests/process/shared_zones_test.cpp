@@ -1,6 +1,6 @@
 // Who has a zone, who waits for it, and who waits for whom.
 
-#include "runtime/process/shared_zones.h"
+#include "runtime/processes/shared_zones.h"
 
 #include <gtest/gtest.h>
 

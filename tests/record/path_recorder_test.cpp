@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/simulation/run_output.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/simulation/random_program.h"
 #include "toolpath/model/arc_shape.h"

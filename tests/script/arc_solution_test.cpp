@@ -1,6 +1,6 @@
 // Arcs of centre, radius or angle: against the circle itself.
 
-#include "runtime/script/arc_solution.h"
+#include "runtime/script/words/arc_solution.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "runtime/script/contour_choice.h"
+#include "runtime/script/paths/contour_choice.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Paths that are built by scripts.
-#include "runtime/script/path_script.h"
+#include "runtime/script/paths/path_script.h"
 
 #include <new>
 

@@ -1,5 +1,5 @@
 // Lines of plain calls mean what Lua makes of them.
-#include "runtime/script/plain_calls.h"
+#include "runtime/script/lua/plain_calls.h"
 
 #include <memory>
 #include <random>

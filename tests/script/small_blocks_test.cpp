@@ -1,6 +1,6 @@
 // Blocks of a pool: each is whole, aligned, and nobody else's.
 
-#include "runtime/script/small_blocks.h"
+#include "runtime/script/lua/small_blocks.h"
 
 #include <cstdint>
 #include <cstring>

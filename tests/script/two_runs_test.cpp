@@ -10,8 +10,8 @@
 
 #include "collision/cell/cell_file.h"
 #include "engine/inner/word_table.h"
-#include "runtime/simulation/cell_watch.h"
-#include "runtime/simulation/report.h"
+#include "runtime/monitors/cell_watch.h"
+#include "runtime/report/report.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script::two_runs_test {

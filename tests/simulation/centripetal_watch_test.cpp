@@ -1,5 +1,5 @@
 // Arcs that ask for more than the axes of their plane have, and only those.
-#include "runtime/simulation/centripetal_watch.h"
+#include "runtime/monitors/centripetal_watch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

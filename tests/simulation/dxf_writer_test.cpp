@@ -1,4 +1,4 @@
-#include "runtime/simulation/dxf_writer.h"
+#include "runtime/outputs/dxf_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // What reports tell of motors, against closed forms.
-#include "runtime/simulation/effort_watch.h"
+#include "runtime/monitors/effort_watch.h"
 
 #include <string>
 
 #include <gmock/gmock.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/simulation/machine_dynamics.h"
-#include "runtime/simulation/simulator.h"
-#include "runtime/simulation/trajectory_writer.h"
+#include "runtime/outputs/trajectory_writer.h"
+#include "runtime/simulator/machine_dynamics.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/string_stream.h"
 
 namespace gsim::simulation::effort_watch_test {

@@ -8,8 +8,8 @@
 
 #include "machine/file/controller_file.h"
 #include "motion/kinematics/chain.h"
-#include "runtime/simulation/machine_dynamics.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/machine_dynamics.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::simulation {
 

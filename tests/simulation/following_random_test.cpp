@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/controller_file.h"
-#include "runtime/simulation/following_watch.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/monitors/following_watch.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/fed_lines.h"
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"

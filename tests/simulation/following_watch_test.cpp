@@ -1,5 +1,5 @@
 // Where axes and tip really are, against closed forms.
-#include "runtime/simulation/following_watch.h"
+#include "runtime/monitors/following_watch.h"
 
 #include <array>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 #include "machine/file/controller_file.h"
 #include "machine/file/machine_file.h"
-#include "runtime/simulation/plot_data.h"
-#include "runtime/simulation/plot_script.h"
-#include "runtime/simulation/simulator.h"
-#include "runtime/simulation/trajectory_writer.h"
+#include "runtime/outputs/plot_data.h"
+#include "runtime/outputs/plot_script.h"
+#include "runtime/outputs/trajectory_writer.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/fed_lines.h"
 #include "tests/simulation/string_stream.h"
 #include "tests/simulation/test_segments.h"

@@ -1,5 +1,5 @@
 // How sure a cycle time is, against closed forms.
-#include "runtime/simulation/interval_watch.h"
+#include "runtime/monitors/interval_watch.h"
 
 #include <cmath>
 #include <string>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::simulation::interval_watch_test {
 namespace {

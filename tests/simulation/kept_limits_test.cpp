@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/controller_file.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"
 

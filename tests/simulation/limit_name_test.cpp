@@ -1,4 +1,4 @@
-#include "runtime/simulation/limit_name.h"
+#include "runtime/report/limit_name.h"
 
 #include <gtest/gtest.h>
 

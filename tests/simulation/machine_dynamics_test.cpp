@@ -1,5 +1,5 @@
 // From machine files to forces.
-#include "runtime/simulation/machine_dynamics.h"
+#include "runtime/simulator/machine_dynamics.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "runtime/simulation/module_motion.h"
+#include "runtime/motion_sources/module_motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/build_files/build_files.h"
 #include "tests/rrs/test_module.h"
 #include "tests/simulation/test_segments.h"

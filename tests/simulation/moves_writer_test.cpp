@@ -1,4 +1,4 @@
-#include "runtime/simulation/moves_writer.h"
+#include "runtime/outputs/moves_writer.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "runtime/simulation/path_bound.h"
+#include "runtime/monitors/path_bound.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"
 

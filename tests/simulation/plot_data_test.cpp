@@ -1,4 +1,4 @@
-#include "runtime/simulation/plot_data.h"
+#include "runtime/outputs/plot_data.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "base/os/child_process.h"
 #include "engine/system/picture.h"
-#include "runtime/simulation/plot_script.h"
+#include "runtime/outputs/plot_script.h"
 #include "tests/simulation/test_segments.h"
 
 namespace gsim::simulation::plot_test {

@@ -9,8 +9,8 @@
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 #include "motion/services/default_planner.h"
-#include "runtime/simulation/cell_watch.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/monitors/cell_watch.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::simulation {

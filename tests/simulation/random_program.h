@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 
 /// Random machines, and random programs of all kinds of moves.
 namespace gsim::simulation {

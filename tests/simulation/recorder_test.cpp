@@ -1,4 +1,4 @@
-#include "runtime/simulation/recorder.h"
+#include "runtime/report/recorder.h"
 
 #include <numbers>
 #include <vector>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/services/default_planner.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/simulation/test_segments.h"
 
 namespace gsim::simulation::recorder_test {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
 
 namespace gsim::simulation::report_json_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/simulation/report.h"
+#include "runtime/report/report.h"
 
 namespace gsim::simulation::report_text_test {
 namespace {

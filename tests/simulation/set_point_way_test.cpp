@@ -1,5 +1,5 @@
 // Distances from the way of the set points, against lines and circles.
-#include "runtime/simulation/set_point_way.h"
+#include "runtime/monitors/set_point_way.h"
 
 #include <cmath>
 #include <random>

@@ -1,5 +1,5 @@
 // What is said of ramps that end short of their blocks.
-#include "runtime/simulation/short_brakes_watch.h"
+#include "runtime/monitors/short_brakes_watch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Limits of a run, and warnings of controllers whose keys come to nothing.
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/simulation/text_stream.h"
+#include "runtime/outputs/text_stream.h"
 
 namespace gsim::simulation {
 

@@ -1,4 +1,4 @@
-#include "runtime/simulation/text_stream.h"
+#include "runtime/outputs/text_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/simulation/time_by_limit.h"
+#include "runtime/report/time_by_limit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "runtime/simulation/trajectory_writer.h"
+#include "runtime/outputs/trajectory_writer.h"
 
 #include <cmath>
 #include <cstdlib>

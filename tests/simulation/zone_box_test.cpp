@@ -1,5 +1,5 @@
 // When a box is entered or left on one segment, against closed forms.
-#include "runtime/simulation/zone_box.h"
+#include "runtime/monitors/zone_box.h"
 
 #include <algorithm>
 #include <cmath>

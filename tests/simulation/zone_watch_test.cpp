@@ -1,5 +1,5 @@
 // Zones along random programs: the alarm is at the first instant at which the planned motion is not allowed.
-#include "runtime/simulation/zone_watch.h"
+#include "runtime/monitors/zone_watch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "collision/cell/cell_file.h"
 #include "collision/monitor/clearance_watch.h"
 #include "machine/file/machine_file.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulator/simulator.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::transit::clear_ways_test {

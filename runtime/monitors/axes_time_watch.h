@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "machine/model/machine.h"
+#include "motion/planner/planner.h"
+#include "runtime/motion_sources/motion_observer.h"
+
+namespace gsim::simulation {
+
+/// How long the moves of a run take with the accelerations of the axes, where the peaks of its motors limit
+/// them: they are planned beside.
+class AxesTimeWatch final : public MotionObserver {
+  public:
+    explicit AxesTimeWatch(const machine::Machine& machine);
+
+    void stands_at(const rrs::JointPos& joints) override;
+    void asked(const MotionAsk& ask) override;
+    void untold(std::string_view why) override;
+    void ended() override;
+
+    /// Of a run that has ended; nothing where why_not() tells why.
+    std::optional<double> time_s() const;
+    const std::string& why_not() const { return why_not_; }
+
+  private:
+    std::unique_ptr<motion::SegmentSink> nowhere_;
+    machine::WordTimes times_;
+    motion::Planner planner_;
+    std::string why_not_;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "runtime/outputs/run_output.h"
+
+namespace gsim::simulation {
+
+/// Looks for arcs that ask for more centripetal acceleration than the axes in their plane have. Some
+/// controllers limit the acceleration along the path alone, so a real machine would take such an arc slower,
+/// or leave it.
+class CentripetalWatch : public RunOutput {
+  public:
+    /// `machine` must outlive this.
+    explicit CentripetalWatch(const machine::Machine& machine);
+
+    using RunOutput::take;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+
+    /// A sentence for the report, if there was such an arc. `files` are the names that places index.
+    std::optional<std::string> warning(const std::vector<std::string>& files) const;
+
+  private:
+    double limit_in_plane_mm_s2(const motion::Segment& segment) const;
+
+    const machine::Machine& machine_;
+    double weakest_mm_s2_;  // of all linear axes
+    std::uint64_t count_ = 0;
+    double worst_excess_ = 1;  // asked / limit
+    double worst_mm_s2_ = 0;
+    double worst_limit_mm_s2_ = 0;
+    Place worst_place_;
+};
+
+}  // namespace gsim::simulation

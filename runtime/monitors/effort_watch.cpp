@@ -1,0 +1,225 @@
+#include "runtime/monitors/effort_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+
+namespace gsim::simulation {
+
+using dynamics::EffortSample;
+using dynamics::EffortSums;
+
+namespace {
+
+constexpr double kJump = 1e-6;  // mm/s, rad/s: less is rounding of where two segments meet
+constexpr double kOfSpeed = 1e-9;
+constexpr double kWithin = 1e-9;  // a motor that is asked for exactly what it has is within its limit
+
+}  // namespace
+
+double axis_speed(const machine::Axis& axis, double joint_speed) {
+    return std::abs(axis.kind == machine::AxisKind::linear ? joint_speed : joint_speed / kRadPerDeg);
+}
+
+double motor_peak(const machine::Drive& drive, double speed) {
+    const std::vector<double>& speeds = drive.curve_speeds;
+    if (speeds.empty()) return drive.peak;
+    const auto above = std::upper_bound(speeds.begin(), speeds.end(), speed);
+    const auto i = static_cast<std::size_t>(above - speeds.begin());
+    if (i == 0) return std::min(drive.peak, drive.curve_peaks.front());
+    if (i == speeds.size()) return speed > speeds.back() ? 0 : std::min(drive.peak, drive.curve_peaks.back());
+    const double share = (speed - speeds[i - 1]) / (speeds[i] - speeds[i - 1]);
+    return std::min(drive.peak, std::lerp(drive.curve_peaks[i - 1], drive.curve_peaks[i], share));
+}
+
+std::string excess_text(const EffortExcess& excess) {
+    const char* unit = excess.rotary ? "Nm" : "N";
+    if (excess.continuous) {
+        return fmt::format(
+            "axis {} needs {:.4g} {} as a root mean square of the whole run, of {:.4g} {} that "
+            "its motor does without end",
+            excess.letter, excess.effort, unit, excess.limit, unit);
+    }
+    std::string text = fmt::format("axis {} needs {:.4g} {} of {:.4g} {}", excess.letter, excess.effort, unit,
+                                   excess.limit, unit);
+    if (!excess.acceleration_share)
+        return text + "; weight, friction and speed alone are more, whatever its acceleration";
+    // Rounded down, so that what is told is enough.
+    return text + fmt::format("; {:.2f} of its acceleration would do",
+                              std::floor(*excess.acceleration_share * 100) / 100);
+}
+
+EffortWatch::EffortWatch(const machine::Machine& machine, const dynamics::Dynamics& dynamics)
+    : machine_(machine),
+      dynamics_(dynamics),
+      segments_(dynamics),
+      sums_(machine.axes.size()),
+      velocity_(rrs::JointPos::Zero(dynamics.joint_count())),
+      worst_(machine.axes.size()) {
+    for (const machine::Axis& axis : machine.axes) {
+        report_.axes.push_back({.letter = axis.letter,
+                                .rotary = axis.kind == machine::AxisKind::rotary,
+                                .motor_peak = axis.drive.peak,
+                                .motor_continuous = axis.drive.continuous});
+    }
+}
+
+void EffortWatch::begin(const rrs::JointPos& start) {
+    at_ = start;
+}
+
+EffortWatch::Program& EffortWatch::program_of(std::uint16_t program) {
+    const auto found = std::find_if(programs_.begin(), programs_.end(),
+                                    [program](const Program& one) { return one.program == program; });
+    if (found != programs_.end()) return *found;
+    return programs_.emplace_back(Program{.program = program, .time_s = {}, .in_j = {}, .back_j = {}});
+}
+
+void EffortWatch::take(const motion::Segment& segment, const MoveInfo& info) {
+    if (info.target_id != move_.target_id) end_move();
+    move_ = info;
+    Program& program = program_of(info.program);
+    if (segment.duration_s > 0) jump(segment.start, segment.at(0).velocity, program, info.place);
+    const EffortSums sums = segments_.sums(
+        segment, [&](const EffortSample& sample) { look(sample, segment.start_s, info.place); });
+    for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
+        const auto joint = static_cast<Eigen::Index>(axis);
+        sums_[axis].squares.add(sums.squares[joint]);
+        sums_[axis].in_j.add(sums.in_j[joint]);
+        sums_[axis].back_j.add(sums.back_j[joint]);
+        sums_[axis].friction_j.add(sums.friction_j[joint]);
+    }
+    program.time_s.add(segment.duration_s);
+    program.in_j.add(sums.in_j.sum());
+    program.back_j.add(sums.back_j.sum());
+    time_s_ += segment.duration_s;
+    end_s_ = segment.end_s();
+    at_ = segment.end_position();
+    if (segment.duration_s > 0) velocity_ = segment.at(segment.duration_s).velocity;
+}
+
+void EffortWatch::end(double /*end_s*/) {
+    jump(at_, rrs::JointPos::Zero(dynamics_.joint_count()), program_of(move_.program), move_.place);
+    end_move();
+}
+
+// The work of an impulse is that at the mean of the speeds before and behind it: of all joints together that
+// is the change of kinetic energy.
+void EffortWatch::jump(const rrs::JointPos& position, const rrs::JointPos& to, Program& program,
+                       const Place& place) {
+    const rrs::JointPos change = to - velocity_;
+    const double fastest = std::max(to.cwiseAbs().maxCoeff(), velocity_.cwiseAbs().maxCoeff());
+    if (change.cwiseAbs().maxCoeff() <= kJump + kOfSpeed * fastest) return;
+    ++report_.jumps;
+    const dynamics::Efforts impulses = dynamics_.inertial(position, change);
+    const rrs::JointPos works_j = dynamics_.powers_w(impulses, (to + velocity_) / 2);
+    for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
+        const double work_j = works_j[static_cast<Eigen::Index>(axis)];
+        (work_j > 0 ? sums_[axis].in_j : sums_[axis].back_j).add(std::abs(work_j));
+        (work_j > 0 ? program.in_j : program.back_j).add(std::abs(work_j));
+        const double impulse = std::abs(impulses[static_cast<Eigen::Index>(axis)]);
+        if (impulse <= report_.axes[axis].impulse) continue;
+        report_.axes[axis].impulse = impulse;
+        report_.axes[axis].impulse_place = place;
+    }
+    velocity_ = to;
+}
+
+void EffortWatch::look(const EffortSample& sample, double start_s, const Place& place) {
+    const double power_w = sample.powers_w.sum();
+    if (power_w > report_.peak_power_w) {
+        report_.peak_power_w = power_w;
+        report_.peak_power_t_s = start_s + sample.t_s;
+        report_.peak_power_place = place;
+    }
+    for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
+        AxisEffort& effort = report_.axes[axis];
+        const double value = sample.efforts[static_cast<Eigen::Index>(axis)];
+        effort.peak_power_w = std::max(effort.peak_power_w, sample.powers_w[static_cast<Eigen::Index>(axis)]);
+        if (std::abs(value) > std::abs(effort.peak)) {
+            effort.peak = value;
+            effort.peak_t_s = start_s + sample.t_s;
+            effort.peak_place = place;
+        }
+        look_at_motor(axis, sample, start_s);
+    }
+}
+
+// Of a move the instant that asks for the least acceleration is told.
+void EffortWatch::look_at_motor(std::size_t axis, const EffortSample& sample, double start_s) {
+    const machine::Axis& of = machine_.axes[axis];
+    const auto joint = static_cast<Eigen::Index>(axis);
+    const double limit = motor_peak(of.drive, axis_speed(of, sample.motion.velocity[joint]));
+    const double effort = std::abs(sample.efforts[joint]);
+    if (effort <= limit * (1 + kWithin)) return;
+    const double share = acceleration_share(axis, sample, limit);
+    EffortExcess& worst = worst_[axis];
+    const double told = worst.effort == 0 ? 2 : worst.acceleration_share.value_or(-1);
+    if (share > told || (share == told && effort <= worst.effort)) return;
+    worst = {.t_s = start_s + sample.t_s,
+             .place = move_.place,
+             .letter = of.letter,
+             .rotary = of.kind == machine::AxisKind::rotary,
+             .effort = effort,
+             .limit = limit,
+             .acceleration_share = share < 0 ? std::nullopt : std::optional(share)};
+}
+
+// The efforts are what the state and the speed ask for and, in proportion to it, what the acceleration does.
+double EffortWatch::acceleration_share(std::size_t axis, const EffortSample& sample, double limit) const {
+    const auto joint = static_cast<Eigen::Index>(axis);
+    const double moving = dynamics_.inertial(sample.motion.position, sample.motion.acceleration)[joint];
+    const double standing = sample.efforts[joint] - moving;
+    if (std::abs(standing) >= limit || moving == 0) return -1;
+    return (std::copysign(limit, sample.efforts[joint]) - standing) / moving;
+}
+
+void EffortWatch::end_move() {
+    for (EffortExcess& worst : worst_) {
+        if (worst.effort == 0) continue;
+        ++report_.excess_count;
+        if (report_.excesses.size() < kMostExcesses) report_.excesses.push_back(worst);
+        worst = {};
+    }
+}
+
+void EffortWatch::add_continuous(EffortReport& report) const {
+    for (const AxisEffort& axis : report.axes) {
+        if (axis.rms <= axis.motor_continuous * (1 + kWithin)) continue;
+        ++report.excess_count;
+        report.excesses.push_back({.t_s = end_s_,
+                                   .letter = axis.letter,
+                                   .rotary = axis.rotary,
+                                   .effort = axis.rms,
+                                   .limit = axis.motor_continuous,
+                                   .continuous = true});
+    }
+}
+
+EffortReport EffortWatch::report(const std::vector<std::string>& programs) const {
+    EffortReport report = report_;
+    for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
+        const Sums& sums = sums_[axis];
+        report.axes[axis].rms = time_s_ > 0 ? std::sqrt(std::max(0.0, sums.squares.value()) / time_s_) : 0;
+        report.axes[axis].in_j = sums.in_j.value();
+        report.axes[axis].back_j = sums.back_j.value();
+        report.axes[axis].friction_j = sums.friction_j.value();
+        report.in_j += sums.in_j.value();
+        report.back_j += sums.back_j.value();
+        report.friction_j += sums.friction_j.value();
+    }
+    for (const Program& program : programs_) {
+        report.programs.push_back(
+            {.program = program.program < programs.size() ? programs[program.program] : "",
+             .time_s = program.time_s.value(),
+             .in_j = program.in_j.value(),
+             .back_j = program.back_j.value()});
+    }
+    add_continuous(report);
+    return report;
+}
+
+}  // namespace gsim::simulation

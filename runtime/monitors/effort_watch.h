@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "motion/dynamics/segment_efforts.h"
+#include "runtime/monitors/exact_sum.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/effort_report.h"
+
+namespace gsim::simulation {
+
+/// The speed of a joint (mm/s or rad/s) as its axis counts it, either way: mm/s or deg/s.
+double axis_speed(const machine::Axis& axis, double joint_speed);
+/// What the motor of an axis brings up at a speed (mm/s or deg/s), either way.
+double motor_peak(const machine::Drive& drive, double speed);
+
+/// Works out what the motors of a run have to bring up: of each segment from its closed forms, and where
+/// speeds jump from one to the next, or at a segment's own ends, the impulses. For such a jump no finite
+/// force is enough: it counts as work (the speed of a joint is taken to go evenly from the one to the other,
+/// so that the work of all impulses is the change of kinetic energy) and as an impulse, not as force or
+/// power.
+class EffortWatch : public RunOutput {
+  public:
+    /// Both must outlive this.
+    EffortWatch(const machine::Machine& machine, const dynamics::Dynamics& dynamics);
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+    /// Behind the end of the run. `programs` are the names that MoveInfo::program counts.
+    EffortReport report(const std::vector<std::string>& programs) const;
+
+  private:
+    struct Sums {
+        ExactSum squares, in_j, back_j, friction_j;
+    };
+    struct Program {
+        std::uint16_t program;
+        ExactSum time_s, in_j, back_j;
+    };
+
+    void look(const dynamics::EffortSample& sample, double start_s, const Place& place);
+    void look_at_motor(std::size_t axis, const dynamics::EffortSample& sample, double start_s);
+    double acceleration_share(std::size_t axis, const dynamics::EffortSample& sample, double limit) const;
+    void jump(const rrs::JointPos& position, const rrs::JointPos& to, Program& program, const Place& place);
+    void end_move();
+    Program& program_of(std::uint16_t program);
+    void add_continuous(EffortReport& report) const;
+
+    const machine::Machine& machine_;
+    const dynamics::Dynamics& dynamics_;
+    dynamics::SegmentEfforts segments_;
+    EffortReport report_;
+    std::vector<Sums> sums_;  // by axis
+    std::vector<Program> programs_;
+    rrs::JointPos at_;
+    rrs::JointPos velocity_;           // at the end of the last segment
+    MoveInfo move_;                    // whose segments arrive
+    std::vector<EffortExcess> worst_;  // of that move by axis; a limit of 0 stands for none
+    double end_s_ = 0;
+    double time_s_ = 0;  // of all segments
+};
+
+}  // namespace gsim::simulation

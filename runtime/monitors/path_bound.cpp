@@ -1,0 +1,241 @@
+#include "runtime/monitors/path_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "machine/model/torque_limit.h"
+
+namespace gsim::simulation {
+
+using motion::PathCaps;
+using motion::Segment;
+using motion::SegmentKind;
+using rrs::JointPos;
+
+namespace {
+
+constexpr double kNoChange = 1e-9;  // mm or rad: rounding of frames, which planners pass over
+constexpr double kLimitRounding = 1 + 1e-9;
+
+motion::JointLimits limits_of(const machine::Machine& machine) {
+    const auto count = static_cast<Eigen::Index>(machine.axes.size());
+    motion::JointLimits limits{JointPos(count), JointPos(count)};
+    for (Eigen::Index joint = 0; joint < count; ++joint) {
+        const machine::Axis& axis = machine.axes[static_cast<std::size_t>(joint)];
+        const double unit = axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1;
+        limits.max_speed[joint] = axis.max_speed * unit;
+        limits.max_acceleration[joint] = std::max(axis.max_acceleration, axis.deceleration()) * unit;
+        if (machine::is_torque_limited(machine) && machine::has_motor(axis))
+            limits.max_acceleration[joint] = std::numeric_limits<double>::infinity();
+    }
+    return limits;
+}
+
+/// How far each joint goes that goes in proportion to the path.
+JointPos changes_of(const Segment& segment) {
+    JointPos changes = segment.end - segment.start;
+    for (double& change : changes) {
+        if (std::abs(change) <= kNoChange) change = 0;
+    }
+    for (const motion::Follower& follower : segment.followers()) changes[follower.joint] = 0;
+    if (segment.orientation)  // leaving joints out keeps the bound a bound
+        changes[segment.orientation->turn_joint()] = changes[segment.orientation->tilt_joint()] = 0;
+    if (segment.kind != SegmentKind::circular) return changes;
+    for (const int joint : segment.position_joints) {
+        if (joint >= 0) changes[joint] = 0;
+    }
+    return changes;
+}
+
+bool moves_position(const Segment& segment, const JointPos& changes) {
+    if (segment.kind == SegmentKind::circular) return true;
+    return std::any_of(segment.position_joints.begin(), segment.position_joints.end(),
+                       [&](int joint) { return joint >= 0 && changes[joint] != 0; });
+}
+
+void lower(double& cap, double other) {
+    cap = std::min(cap, other);
+}
+
+void lower_by_joints(const motion::JointLimits& limits, const JointPos& q1, PathCaps& caps) {
+    for (Eigen::Index joint = 0; joint < q1.size(); ++joint) {
+        const double share = std::abs(q1[joint]);
+        if (share < motion::kNoShare) continue;
+        lower(caps.max_speed, limits.max_speed[joint] / share);
+        lower(caps.max_acceleration, limits.max_acceleration[joint] / share);
+        lower(caps.max_deceleration, limits.max_acceleration[joint] / share);
+    }
+}
+
+/// What is true at any place of any curve: the tangent is as long as 1, so that the joints together are no
+/// slower.
+void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, PathCaps& caps) {
+    double speed2 = 0;
+    double acceleration2 = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int joint = segment.position_joints[axis];
+        if (joint < 0 || segment.arc.max_share(static_cast<int>(axis)) < motion::kNoShare) continue;
+        speed2 += limits.max_speed[joint] * limits.max_speed[joint];
+        acceleration2 += limits.max_acceleration[joint] * limits.max_acceleration[joint];
+    }
+    lower(caps.max_speed, std::sqrt(speed2));
+    lower(caps.max_acceleration, std::sqrt(acceleration2));
+    lower(caps.max_deceleration, std::sqrt(acceleration2));
+}
+
+/// Caps that the motion keeps: an override can raise the feed, and some controllers pass limits.
+PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double length) {
+    const double scale = length / law.length();
+    const double acceleration =
+        law.jumps() ? std::numeric_limits<double>::infinity() : law.peak_acceleration() * scale;
+    return {std::max(caps.max_speed, law.peak_speed() * scale), std::max(caps.max_acceleration, acceleration),
+            std::max(caps.max_deceleration, acceleration)};
+}
+
+/// The joints on an arc: those of the position along its shape, the others in proportion.
+motion::Curve curve_of(const Segment& segment, double length, const JointPos& q1) {
+    const auto in_plane = [&](Eigen::Index axis) {
+        return std::hypot(segment.arc.u[axis], segment.arc.v[axis]);
+    };
+    motion::Curve curve{length, segment.arc.sweep_rad, JointPos::Zero(q1.size()), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int joint = segment.position_joints[axis];
+        if (joint >= 0)
+            curve.max_q2[joint] = segment.arc.max_curvature() * in_plane(static_cast<Eigen::Index>(axis));
+    }
+    curve.at = [&segment, &q1](double s) {
+        const double phi = segment.arc.phi_at(s);
+        const Eigen::Vector3d point = segment.arc.at(phi);
+        const Eigen::Vector3d tangent = segment.arc.tangent(phi);
+        const Eigen::Vector3d curvature = segment.arc.curvature(phi);
+        motion::CurvePoint at{s * q1, q1, JointPos::Zero(q1.size())};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int joint = segment.position_joints[axis];
+            if (joint < 0) continue;
+            const auto index = static_cast<Eigen::Index>(axis);
+            at.q[joint] = point[index];
+            at.q1[joint] = tangent[index];
+            at.q2[joint] = curvature[index];
+        }
+        return at;
+    };
+    return curve;
+}
+
+}  // namespace
+
+PathBound::PathBound(const machine::Machine& machine)
+    : machine_(machine), limits_(limits_of(machine)), bound_(limits_) {}
+
+void PathBound::take(const Segment& segment, const MoveInfo& info) {
+    if (segment.kind == SegmentKind::rest) return rest(segment, info);
+    if (segment.beside) {
+        bound_.change_measure();
+        measure_.reset();
+        at_rest_ = false;
+        return;
+    }
+    if (!(segment.duration_s > 0) || !(segment.lead.length() > 0)) return;
+    const Way way = way_of(segment);
+    go_on_by(way.measure);
+    const PathCaps caps = caps_of(segment, info, way);
+    if (segment.kind == SegmentKind::circular) {
+        add_arc(segment, way, caps);
+    } else {
+        add_line(way, caps, segment.lead);
+    }
+}
+
+void PathBound::rest(const Segment& segment, const MoveInfo& info) {
+    bound_.stop();
+    at_rest_ = true;
+    if (info.kind == MoveKind::dwell) dwells_.add(segment.duration_s);
+}
+
+void PathBound::go_on_by(Measure measure) {
+    const bool same = measure_ == measure && measure != Measure::own;
+    if (!at_rest_ && !same) bound_.change_measure();
+    measure_ = measure;
+    at_rest_ = false;
+}
+
+PathBound::Way PathBound::way_of(const Segment& segment) const {
+    const JointPos changes = changes_of(segment);
+    if (segment.kind == SegmentKind::joint)
+        return {Measure::own, segment.lead.length(), changes / segment.lead.length()};
+    if (segment.length_mm > 0) {
+        const Measure measure = moves_position(segment, changes) ? Measure::position : Measure::secondary;
+        return {measure, segment.length_mm, changes / segment.length_mm};
+    }
+    return {segment.orientation ? Measure::direction : Measure::rotary, segment.lead.length(),
+            changes / segment.lead.length()};
+}
+
+/// What the program and the machine's limits of the path set, whatever the joints could do.
+PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const Way& way) const {
+    const bool queued_by_a_client = !info.timed && !(info.feed_per_min > 0) && info.kind != MoveKind::rapid;
+    if (way.measure == Measure::own || queued_by_a_client) return {};
+    const bool along_tool = segment.length_mm > 0;
+    PathCaps caps;
+    if (info.kind == MoveKind::rapid) {
+        if (along_tool) {
+            caps.max_speed = machine_.path.max_rapid_mm_s;
+            caps.max_acceleration = caps.max_deceleration = machine_.path.max_rapid_acceleration_mm_s2;
+        }
+        return caps;
+    }
+    if (along_tool) {
+        caps.max_speed = machine_.path.max_feed_mm_s;
+        caps.max_acceleration = caps.max_deceleration = machine_.path.max_acceleration_mm_s2;
+    }
+    const double unit = along_tool ? 1 : kRadPerDeg;
+    if (!info.timed) lower(caps.max_speed, info.feed_per_min / kSecondsPerMinute * unit);
+    return caps;
+}
+
+void PathBound::add_line(const Way& way, PathCaps caps, const motion::TimeLaw& law) {
+    lower_by_joints(limits_, way.q1, caps);
+    bound_.add_line(way.length, raised_to(caps, law, way.length));
+}
+
+void PathBound::add_arc(const Segment& segment, const Way& way, const PathCaps& caps) {
+    if (keeps_limits(segment, way)) {
+        bound_.add_curve(curve_of(segment, way.length, way.q1), raised_to(caps, segment.lead, way.length));
+        return;
+    }
+    PathCaps anywhere = caps;
+    lower_by_norms(limits_, segment, anywhere);
+    add_line(way, anywhere, segment.lead);
+}
+
+/// Whether no joint can have got more speed or acceleration than it has: peak speed and peak acceleration are
+/// taken to meet, where the joint's share of the way is greatest.
+bool PathBound::keeps_limits(const Segment& segment, const Way& way) const {
+    if (segment.lead.jumps()) return false;
+    const double speed = segment.lead.peak_speed();
+    const double acceleration = segment.lead.peak_acceleration();
+    const double centripetal = segment.peak_centripetal_mm_s2();
+    const auto keeps = [&](Eigen::Index joint, double in_plane, double straight, double pace) {
+        const double most_speed = speed * (in_plane * pace + straight);
+        const double most_acceleration =
+            in_plane * std::hypot(pace * acceleration, centripetal) + straight * acceleration;
+        return most_speed <= limits_.max_speed[joint] * kLimitRounding &&
+               most_acceleration <= limits_.max_acceleration[joint] * kLimitRounding;
+    };
+    for (Eigen::Index joint = 0; joint < way.q1.size(); ++joint) {
+        if (!keeps(joint, 0, std::abs(way.q1[joint]), 0)) return false;
+    }
+    const Eigen::Vector3d climb = segment.arc.lift / way.length;
+    const double pace = std::sqrt(std::max(0.0, 1 - climb.squaredNorm()));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int joint = segment.position_joints[axis];
+        const auto index = static_cast<Eigen::Index>(axis);
+        const double in_plane = std::hypot(segment.arc.u[index], segment.arc.v[index]);
+        if (joint >= 0 && !keeps(joint, in_plane, std::abs(climb[index]), pace)) return false;
+    }
+    return true;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "machine/model/machine.h"
+#include "motion/planner/time_bound.h"
+#include "runtime/monitors/exact_sum.h"
+#include "runtime/outputs/run_output.h"
+
+namespace gsim::simulation {
+
+/// The least time that any controller could take over the path of a run, within the feeds of the program and
+/// the limits of the machine (motion::TimeBound), and its dwells. It is not above the cycle time, whatever
+/// controller made the motion:
+/// - a limit that the motion did not keep counts as what it took;
+/// - an arc on which a joint got more acceleration than it has is bounded by its length, not by its shape;
+/// - joints that do not go in proportion to the path, and two motions at once, do not count.
+class PathBound : public RunOutput {
+  public:
+    /// `machine` must outlive this.
+    explicit PathBound(const machine::Machine& machine);
+
+    using RunOutput::take;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+
+    /// For the segments so far, as if the run ended here.
+    double bound_s() const { return bound_.bound_s() + dwells_.value(); }
+
+  private:
+    /// What the length of a path is counted by.
+    enum class Measure {
+        position,   ///< mm of the tool's way.
+        secondary,  ///< mm of other linear joints.
+        rotary,     ///< rad, the norm of the angles.
+        direction,  ///< rad of the tool's direction along great circles.
+        own,        ///< Of joint motion: by a measure that no other move shares.
+    };
+    /// The path of a segment that goes one way.
+    struct Way {
+        Measure measure;
+        double length;
+        rrs::JointPos q1;  ///< Of the joints that go in proportion to it.
+    };
+
+    Way way_of(const motion::Segment& segment) const;
+    motion::PathCaps caps_of(const motion::Segment& segment, const MoveInfo& info, const Way& way) const;
+    void go_on_by(Measure measure);
+    void rest(const motion::Segment& segment, const MoveInfo& info);
+    void add_line(const Way& way, motion::PathCaps caps, const motion::TimeLaw& law);
+    void add_arc(const motion::Segment& segment, const Way& way, const motion::PathCaps& caps);
+    bool keeps_limits(const motion::Segment& segment, const Way& way) const;
+
+    const machine::Machine& machine_;
+    motion::JointLimits limits_;
+    motion::TimeBound bound_;
+    ExactSum dwells_;
+    bool at_rest_ = true;
+    std::optional<Measure> measure_;  // of the segment before; none: its speed has no one measure
+};
+
+}  // namespace gsim::simulation

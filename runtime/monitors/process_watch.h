@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+/// Looks for what a program should not do with the machine's process (docs/report.md), in bounded memory.
+/// Moves with the same fault one behind the other are one finding.
+class ProcessWatch final : public RunOutput {
+  public:
+    /// Where the machine file tells no process nothing is looked for. `machine` must outlive this.
+    explicit ProcessWatch(const machine::Machine& machine);
+
+    /// A program ends with the process on, before the move with this target id.
+    void end_program(rrs::TargetId next, const Place& place);
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override { last_end_ = start; }
+    void take(const RecordedMove& move) override;
+    void end(double end_s) override;
+
+    /// All findings by time. Call it once, behind the end of the run.
+    ProcessFindings release();
+
+  private:
+    enum class Fault : std::uint8_t { none, rapid, feed };
+    /// Feed moves at one height without the process. They are a way to the next cut if the process is
+    /// switched on where they end; else a fault if the program cuts at that height, which is known at the
+    /// end.
+    struct IdleFeed {
+        std::int64_t level_um = 0;
+        std::uint32_t switches = 0;
+        ProcessFinding finding;
+    };
+    struct ProgramEnd {
+        rrs::TargetId next = 0;
+        ProcessFinding finding;
+    };
+
+    const machine::ProcessChecks& checks() const { return machine_.process->checks; }
+    void add(ProcessFinding finding);
+    void begin_fault(Fault fault, const RecordedMove& move, text::DiagnosticKind kind, std::string message);
+    void look_at_rapid(const RecordedMove& move);
+    void look_at_dwell(const RecordedMove& move);
+    void look_at_spindle(const RecordedMove& move);
+    void look_at_level(const RecordedMove& move);
+    void end_idle_feed();
+    bool goes_in_xy(const RecordedMove& move) const;
+    std::optional<std::int64_t> level_um(const RecordedMove& move) const;
+
+    const machine::Machine& machine_;
+    std::optional<std::size_t> x_axis_, y_axis_, z_axis_;
+    std::string process_;  ///< "jet"
+    rrs::JointPos last_end_;
+    Fault fault_ = Fault::none;          ///< Of the move before.
+    std::optional<IdleFeed> idle_feed_;  ///< That goes on.
+    std::set<std::int64_t> cut_um_;      ///< Heights of cutting planes.
+    std::vector<IdleFeed> idle_feeds_;
+    std::deque<ProgramEnd> ends_;
+    ProcessFindings findings_;
+};
+
+}  // namespace gsim::simulation

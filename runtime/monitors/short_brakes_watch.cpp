@@ -1,0 +1,28 @@
+#include "runtime/monitors/short_brakes_watch.h"
+
+#include <fmt/format.h>
+
+namespace gsim::simulation {
+
+void ShortBrakesWatch::take(const motion::Segment& segment, const MoveInfo& info) {
+    if (segment.limited_by.kind != motion::LimitKind::short_brakes) return;
+    ++count_;
+    crawled_s_ += segment.duration_s;
+    if (segment.duration_s <= longest_s_) return;
+    longest_s_ = segment.duration_s;
+    longest_mm_ = segment.lead.length();
+    longest_place_ = info.place;
+}
+
+std::optional<std::string> ShortBrakesWatch::warning(const std::vector<std::string>& files) const {
+    if (count_ == 0) return std::nullopt;
+    const std::string where = longest_place_.line > 0
+                                  ? fmt::format("{}:{}", files[longest_place_.file], longest_place_.line)
+                                  : "a script";
+    return fmt::format(
+        "the control's ramps in steps of time brake short of the ends of {} block{}, and the machine crawls "
+        "there for {:.3f} s in all, at worst {:.3f} mm in {:.3f} s in {}",
+        count_, count_ == 1 ? "" : "s", crawled_s_, longest_mm_, longest_s_, where);
+}
+
+}  // namespace gsim::simulation

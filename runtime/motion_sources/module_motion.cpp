@@ -1,0 +1,264 @@
+#include "runtime/motion_sources/module_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsim::simulation {
+
+using rrs::is_refused;
+using rrs::Status;
+
+namespace {
+
+constexpr double kDefaultStep_s = 0.001;
+constexpr double kMostIdle_s = 600;
+constexpr std::uint64_t kMostStanding = 1'000'000;
+constexpr double kSamePosition = 1e-6;  // mm or rad: positions at one instant may differ by rounding
+
+}  // namespace
+
+ModuleMotion::ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& setup, double max_time_s,
+                           motion::SegmentSink& sink)
+    : RcsShell(std::move(module), setup.joint_count()),
+      setup_(setup),
+      step_s_(setup.controller.servo_period_s > 0 ? setup.controller.servo_period_s : kDefaultStep_s),
+      max_time_s_(max_time_s),
+      sink_(sink),
+      reached_(rrs::JointPos::Zero(setup.joint_count())),
+      target_(reached_),
+      client_joint_speeds_(rrs::JointPos::Constant(setup.joint_count(), motion::kUnlimited)) {
+    setup_.range_notes = nullptr;  // they let targets through; what a module refuses is refused
+}
+
+Status ModuleMotion::Initialize() {
+    const Status status = RcsShell::Initialize();
+    return is_refused(status) ? status : SetInterpolationTime(step_s_);
+}
+
+Status ModuleMotion::SelectTargetType(rrs::TargetType type) {
+    const Status status = RcsShell::SelectTargetType(type);
+    if (is_refused(status)) return status;
+    target_type_ = type;
+    if (!by_program_) client_.target_type = type;
+    return status;
+}
+
+/// A target in joint values; of a pose by the module's own kinematics.
+rrs::JointPos ModuleMotion::solved(const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+    if (target_type_ == rrs::TargetType::joint) return joints.size() == target_.size() ? joints : target_;
+    rrs::JointPos result = target_;
+    GetInverseKinematics(cartesian, target_, result);
+    return result;
+}
+
+Status ModuleMotion::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                        std::string_view configuration) {
+    step_to_end();
+    const Status status = RcsShell::SetInitialPosition(cartesian, joints, configuration);
+    if (is_refused(status)) return status;
+    reached_ = target_ = solved(cartesian, joints);
+    has_position_ = true;
+    return status;
+}
+
+/// What is called follows one behind the other, so that a module in a process of its own need not be asked
+/// for each step.
+template <typename Call>
+Status ModuleMotion::ahead(rrs::RcsAhead what, const Call& call) {
+    announce(what, tells_target_);
+    const Status status = call();
+    announce(rrs::RcsAhead::nothing, false);
+    return status;
+}
+
+/// Calls until the module's queue has room.
+template <typename Call>
+Status ModuleMotion::until_room(const Call& call) {
+    Status status = ahead(rrs::RcsAhead::if_full, call);
+    while (status == Status::RRS_QUEUE_FULL) {
+        if (const Status stepped = step_to_target(); is_refused(stepped)) return stepped;
+        status = ahead(rrs::RcsAhead::if_full, call);
+    }
+    return status;
+}
+
+Status ModuleMotion::queued(Status status, rrs::TargetId id, rrs::TargetParam param,
+                            const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+    if (is_refused(status) || param == rrs::TargetParam::via) return status;
+    target_ = solved(cartesian, joints);
+    waiting_.push_back(id);
+    return status;
+}
+
+Status ModuleMotion::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                                   const rrs::JointPos& joints, std::string_view configuration,
+                                   double param_value) {
+    const Status status = until_room(
+        [&] { return RcsShell::SetNextTarget(id, param, cartesian, joints, configuration, param_value); });
+    return queued(status, id, param, cartesian, joints);
+}
+
+Status ModuleMotion::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
+                                        const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                        std::string_view configuration, double param_value,
+                                        std::string_view target_name) {
+    const Status status = until_room([&] {
+        return RcsShell::SetNextNamedTarget(id, param, cartesian, joints, configuration, param_value,
+                                            target_name);
+    });
+    return queued(status, id, param, cartesian, joints);
+}
+
+Status ModuleMotion::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
+                                      const Eigen::Vector3d& axis, double sweep_rad,
+                                      const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+    const Status status = until_room(
+        [&] { return RcsShell::SetNextArcTarget(id, center_mm, axis, sweep_rad, cartesian, joints); });
+    return queued(status, id, rrs::TargetParam::end, cartesian, joints);
+}
+
+Status ModuleMotion::SetNextRest(rrs::TargetId id, double rest_s) {
+    const Status status = until_room([&] { return RcsShell::SetNextRest(id, rest_s); });
+    if (is_refused(status)) return status;
+    rests_s_ += rest_s;
+    waiting_.push_back(id);
+    return status;
+}
+
+Status ModuleMotion::SetRestParameter(double rest_s) {
+    const Status status = RcsShell::SetRestParameter(rest_s);
+    if (!is_refused(status)) rests_s_ += rest_s;
+    return status;
+}
+
+Status ModuleMotion::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) {
+    const Status status = RcsShell::GetNextStep(joints, pose, elapsed_s);
+    return is_refused(status) ? status : record(status, joints, elapsed_s);
+}
+
+Status ModuleMotion::step() {
+    if (time_s_ > max_time_s_)
+        return blame(fmt::format("still moves after {:.10g} s of machine time", max_time_s_));
+    rrs::JointPos joints;
+    rrs::CartPos pose;
+    double elapsed_s = 0;
+    const Status status = GetNextStep(joints, pose, elapsed_s);
+    if (!is_refused(status) || RcsShell::fault()) return status;
+    return blame(fmt::format("answered GetNextStep with {}", rrs::name(status)));
+}
+
+Status ModuleMotion::step_to_target() {
+    return ahead(rrs::RcsAhead::to_target, [this] {
+        for (;;) {
+            const Status status = step();
+            if (is_refused(status) || status == Status::RRS_TARGET_REACHED) return status;
+            if (status == Status::RRS_NEED_MORE_DATA)
+                return blame("answered RRS_QUEUE_FULL, but its queue is empty");
+        }
+    });
+}
+
+void ModuleMotion::step_to_end() {
+    if (!has_position_) return;
+    ahead(rrs::RcsAhead::to_end, [this] {
+        for (;;) {
+            const Status status = step();
+            if (is_refused(status) || status == Status::RRS_NEED_MORE_DATA) return status;
+        }
+    });
+}
+
+Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double elapsed_s) {
+    const bool moved = joints != reached_;
+    if (const Status watched = watch(moved, elapsed_s); is_refused(watched)) return watched;
+    if (elapsed_s > 0) {
+        fill_segment(joints, elapsed_s);
+        sink_.take(segment_);
+        time_s_ = segment_.end_s();
+    } else if ((joints - reached_).cwiseAbs().maxCoeff() > kSamePosition) {
+        return blame("answered GetNextStep with a jump: a joint moved in no time");
+    }
+    reached_ = joints;
+    if (status == Status::RRS_TARGET_REACHED && !waiting_.empty()) waiting_.pop_front();
+    return status;
+}
+
+// A foreign planner may answer for ever; each way of doing so ends here.
+Status ModuleMotion::watch(bool moved, double elapsed_s) {
+    idle_s_ = moved ? 0 : idle_s_ + elapsed_s;
+    standing_ = elapsed_s > 0 ? 0 : standing_ + 1;
+    if (standing_ > kMostStanding) return blame("answers GetNextStep, but its time stands still");
+    if (idle_s_ > kMostIdle_s + rests_s_)
+        return blame(fmt::format("has not moved for {:.10g} s, though targets wait", idle_s_));
+    return Status::RRS_SUCCESS;
+}
+
+// A module that was built before there was GetTargetOfLastStep answers that it has no such service; then
+// targets are counted as it reaches them.
+rrs::TargetId ModuleMotion::target_of_step() {
+    rrs::TargetId id = -1;
+    if (tells_target_ && GetTargetOfLastStep(id) == Status::RRS_SUCCESS) {
+        waiting_.clear();
+        return id;
+    }
+    tells_target_ = false;
+    return waiting_.empty() ? -1 : waiting_.front();
+}
+
+void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
+    const rrs::JointPos way = joints - reached_;
+    double square_mm2 = 0;
+    for (const int joint : setup_.position_joints) square_mm2 += joint < 0 ? 0 : way[joint] * way[joint];
+    segment_.target_id = target_of_step();
+    segment_.start_s = time_s_;
+    segment_.duration_s = elapsed_s;
+    segment_.length_mm = std::sqrt(square_mm2);
+    segment_.start = reached_;
+    segment_.end = joints;
+    segment_.position_joints = setup_.position_joints;
+    segment_.limited_by = {.kind = motion::LimitKind::unknown};
+    const double length = segment_.length_mm > 0 ? segment_.length_mm : way.norm();
+    segment_.kind = length > 0 ? motion::SegmentKind::linear : motion::SegmentKind::rest;
+    // Of what a module does between two steps nothing is known: the joints go evenly.
+    const motion::LawPiece piece{
+        .duration_s = elapsed_s, .s0 = 0, .v0 = length / elapsed_s, .a0 = 0, .jerk = 0};
+    segment_.lead = motion::TimeLaw::of_pieces({&piece, 1});
+}
+
+void ModuleMotion::come_to_rest(bool waits) {
+    by_program([&] {
+        ComeToRest(waits ? rrs::RestReason::wait : rrs::RestReason::query);
+        step_to_end();
+    });
+}
+
+Status ModuleMotion::stop_here() {
+    if (const Status stopped = StopMotion(); is_refused(stopped)) return stopped;
+    step_to_end();
+    const Status cancelled = CancelMotion();
+    if (is_refused(cancelled)) return cancelled;
+    waiting_.clear();
+    target_ = reached_;
+    return Status::RRS_SUCCESS;
+}
+
+void ModuleMotion::end_program() {
+    by_program([&] {
+        ComeToRest(rrs::RestReason::end);
+        step_to_end();
+    });
+}
+
+motion::PlanError ModuleMotion::last_error() {
+    motion::PlanError error;
+    by_program([&] { GetMessage(error.message); });
+    if (error.message.empty()) error.message = "the module does not say why";
+    if (!RcsShell::fault() && error.message.find(name()) != 0)
+        error.message = fmt::format("{}: {}", name(), error.message);
+    return error;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "controller/module/rcs_shell.h"
+#include "motion/planner/planner_setup.h"
+#include "motion/segment/segment.h"
+#include "runtime/motion_sources/motion_source.h"
+
+namespace gsim::simulation {
+
+/// A controller module. Targets are put until it answers RRS_QUEUE_FULL or its motion has to be known; then
+/// it is stepped, and each step of GetNextStep becomes a straight segment at constant speed. So the times at
+/// which moves begin and end are right to within a step, and a move shorter than a step may not show. A step
+/// belongs to the target that GetTargetOfLastStep tells; of a module without that service to the oldest
+/// target for which RRS_TARGET_REACHED has not come. A step in which no joint moves is a rest.
+///
+/// Beside the faults that RcsShell finds, these are faults: a jump in no time, time that stands still, ten
+/// minutes in which nothing moves though no rest was asked for, a full queue with nothing in it.
+class ModuleMotion final : public rrs::RcsShell, public MotionSource {
+  public:
+    /// `sink` must outlive this. Steps take the controller's servo period, or 1 ms where it has none. Past
+    /// `max_time_s` no more steps are taken.
+    ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& setup, double max_time_s,
+                 motion::SegmentSink& sink);
+
+    rrs::Shell& shell() override { return *this; }
+    const motion::Selections& selections() const override { return no_selections_; }
+    motion::PlanError last_error() override;
+    bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
+    std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
+    bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
+    bool set_move_limits(std::shared_ptr<const motion::MoveLimits>) override { return false; }
+    void set_obeyed(const motion::ObeyedOverrides&) override {}
+    motion::Planned start_at(const rrs::JointPos& joints) override;
+    motion::Planned check_ramps() const override { return {}; }
+    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override;
+    motion::Put put(const motion::Move& move) override;
+    /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and
+    /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
+    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
+    motion::Planned put_own(const rrs::JointPos& end) override;
+    double own_end_s() const override { return 0; }
+    motion::Planned put_rest(const AskedRest& rest) override;
+    std::vector<std::string> take_remarks() override { return std::exchange(remarks_, {}); }
+    void come_to_rest(bool waits) override;
+    void end_program() override;
+    double time_s() const override { return time_s_; }
+    /// A step is passed on as it is made.
+    double passed_on_s() const override { return std::numeric_limits<double>::infinity(); }
+    const rrs::JointPos& position() const override { return target_; }
+    bool sampled() const override { return true; }
+    double cpu_beside_s() const override { return cpu_s(); }
+    std::optional<std::string> fault() const override { return RcsShell::fault(); }
+
+    rrs::Status Initialize() override;
+    rrs::Status SelectTargetType(rrs::TargetType type) override;
+    rrs::Status SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                   std::string_view configuration) override;
+    rrs::Status SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                              const rrs::JointPos& joints, std::string_view configuration,
+                              double param_value) override;
+    rrs::Status SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                                   const rrs::JointPos& joints, std::string_view configuration,
+                                   double param_value, std::string_view target_name) override;
+    rrs::Status SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
+                                 const Eigen::Vector3d& axis, double sweep_rad, const rrs::CartPos& cartesian,
+                                 const rrs::JointPos& joints) override;
+    rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
+    rrs::Status SetRestParameter(double rest_s) override;
+    rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
+    rrs::Status SelectMotionType(rrs::MotionType type) override;
+    rrs::Status SetRapid(bool on) override;
+    rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
+    rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
+    rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
+
+  protected:
+    void calling() override;
+
+  private:
+    /// What moves of a program and clients of the services select, both, of the one module; none: not known.
+    struct Modes {
+        std::optional<rrs::TargetType> target_type;
+        std::optional<rrs::MotionType> motion_type;
+        std::optional<bool> rapid;
+        std::optional<double> position_speed_mm_s;
+        std::optional<double> orientation_speed_rad_s;
+        bool joints_alone = false;  ///< It takes no lines of joint values: no joints carry the tool.
+        std::optional<rrs::JointPos> joint_speeds;
+    };
+
+    /// call(), for moves of the program.
+    template <typename Call>
+    auto by_program(const Call& call) {
+        struct Side {
+            explicit Side(bool& flag) : flag_(flag), before_(std::exchange(flag, true)) {}
+            Side(const Side&) = delete;
+            Side& operator=(const Side&) = delete;
+            ~Side() { flag_ = before_; }
+
+          private:
+            bool& flag_;
+            bool before_;
+        };
+        const Side side(by_program_);
+        return call();
+    }
+    motion::PlanError refusal(rrs::Status status);
+    motion::Put answer(rrs::Status status);
+    rrs::Status tell(const motion::Move& move);
+    rrs::Status tell_kind(const motion::Move& move);
+    rrs::Status tell_feed(const motion::MoveTerms& terms);
+    rrs::Status tell_joint_speeds(const motion::Move& move);
+    rrs::JointPos joint_speeds_of(const motion::Move& move) const;
+    void tell_passing(const motion::MoveTerms& terms);
+    void tell_ramps(const motion::MoveTerms& terms);
+    rrs::Status put_told(const motion::Move& move);
+    rrs::Status put_until_told(const motion::Move& move, const motion::StopSearch& search);
+    template <typename Call>
+    rrs::Status ahead(rrs::RcsAhead what, const Call& call);
+    template <typename Call>
+    rrs::Status until_room(const Call& call);
+    rrs::Status queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
+                       const rrs::CartPos& cartesian, const rrs::JointPos& joints);
+    rrs::Status step();
+    rrs::Status step_to_target();
+    rrs::Status stop_here();
+    void step_to_end();
+    rrs::Status record(rrs::Status status, const rrs::JointPos& joints, double elapsed_s);
+    rrs::Status watch(bool moved, double elapsed_s);
+    rrs::TargetId target_of_step();
+    void fill_segment(const rrs::JointPos& joints, double elapsed_s);
+    rrs::JointPos solved(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
+
+    motion::PlannerSetup setup_;
+    double step_s_;
+    double max_time_s_;
+    motion::SegmentSink& sink_;
+    motion::Segment segment_;  ///< Of the step under way.
+    rrs::JointPos reached_;    ///< Where the last step ended.
+    rrs::JointPos target_;     ///< The last target.
+    rrs::TargetType target_type_ = rrs::TargetType::joint;
+    Modes told_;                 ///< By moves, since a client has called.
+    motion::Selections client_;  ///< What clients have selected, as far as moves select it, too.
+    rrs::JointPos client_joint_speeds_;
+    motion::Selections no_selections_;
+    bool by_program_ = false;       ///< Who calls the module.
+    motion::MoveTerms told_terms_;  ///< Of those the way in which moves are passed, and their ramps.
+    std::vector<std::string> remarks_;
+    std::deque<rrs::TargetId> waiting_;  ///< Targets not reached yet, where the module does not tell.
+    bool tells_target_ = true;
+    bool has_position_ = false;
+    double time_s_ = 0;
+    double idle_s_ = 0;           ///< Since something moved last.
+    double rests_s_ = 0;          ///< Asked for so far.
+    std::uint64_t standing_ = 0;  ///< Steps without time, one behind the other.
+};
+
+}  // namespace gsim::simulation

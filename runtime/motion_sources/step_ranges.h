@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "runtime/outputs/run_output.h"
+
+namespace gsim::simulation {
+
+/// A step that takes an axis past its range.
+struct StepPastRange {
+    double t_s = 0;  ///< When the step ends.
+    MoveInfo move;   ///< Whose step it is.
+    std::size_t axis = 0;
+    double value = 0;  ///< The farthest that the axis goes from there on, mm or deg, as `limit`.
+    double limit = 0;
+};
+
+/// Looks where the steps of a controller module take the axes: of its targets is known that they are within
+/// the ranges, but not of what it makes of them. Half a step of an axis beyond is not past its range, as
+/// controllers round to steps.
+class StepRanges final : public RunOutput {
+  public:
+    /// `machine` must outlive this.
+    explicit StepRanges(const machine::Machine& machine) : machine_(machine) {}
+
+    using RunOutput::take;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+
+    /// By time, the first of each axis.
+    std::span<const StepPastRange> found() const { return found_; }
+
+  private:
+    void look(std::size_t axis, double value, double t_s, const MoveInfo& info);
+
+    const machine::Machine& machine_;
+    std::vector<StepPastRange> found_;
+};
+
+}  // namespace gsim::simulation

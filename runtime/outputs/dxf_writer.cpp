@@ -1,0 +1,249 @@
+#include "runtime/outputs/dxf_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "base/text/json_text.h"
+#include "base/units.h"
+#include "runtime/outputs/tip_curve.h"
+#include "runtime/simulator/simulator.h"
+
+namespace gsim::simulation {
+
+using Eigen::Vector3d;
+using motion::Segment;
+using motion::SegmentKind;
+
+namespace {
+
+constexpr double kTurn_rad = 2 * std::numbers::pi;
+constexpr double kSamePoint_mm = 1e-9;
+constexpr double kStraight_mm = 1e-7;  // off a line, by rounding
+constexpr double kLevel_mm = 1e-6;     // as readers of drawings take it
+constexpr double kRigid = 1e-9;
+constexpr int kLeastSteps = 8;
+constexpr std::size_t kMostInOne = 10'000;  // points of one polyline
+
+constexpr std::array<std::string_view, 3> kDxfLayers{"RAPID", "FEED", "CUT"};
+constexpr std::array<int, 3> kDxfColours{3, 5, 1};  // green, blue, red
+constexpr std::string_view kChangesHeight = "_Z";
+
+constexpr int kPolyline3d = 8;
+constexpr int kVertex3d = 32;
+
+Vector3d on_round(const Vector3d& center_mm, double radius_mm, double angle_rad) {
+    return center_mm + radius_mm * Vector3d(std::cos(angle_rad), std::sin(angle_rad), 0);
+}
+
+}  // namespace
+
+DxfWriter::DxfWriter(TextStream& out, const machine::Machine& machine, std::uint64_t most_points)
+    : out_(out),
+      most_points_(most_points),
+      setup_(setup_of_machine(machine)),
+      tip_(setup_, Vector3d::Zero()) {}
+
+// --- Groups: a line with the code, a line with the value ---
+
+void DxfWriter::write(int code, std::string_view value) {
+    text::append_format(out_.buffer(), "{}\n{}", code, value);
+    out_.end_line();
+}
+
+void DxfWriter::write(int code, double value) {
+    constexpr double kLeastShown = 5e-13;
+    const double shown = std::abs(value) < kLeastShown ? 0 : value;  // no -0
+    text::append_format(out_.buffer(), "{}\n{:.12f}", code, shown);
+    out_.end_line();
+}
+
+void DxfWriter::write_point(int code, const Vector3d& point_mm) {
+    constexpr int kNextAxis = 10;
+    for (const double value : point_mm) {
+        write(code, value);
+        code += kNextAxis;
+    }
+}
+
+void DxfWriter::begin(const rrs::JointPos& /*start*/) {
+    text::append_text(out_.buffer(),
+                      "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n"
+                      "0\nSECTION\n2\nTABLES\n"
+                      "0\nTABLE\n2\nLTYPE\n70\n1\n"
+                      "0\nLTYPE\n2\nCONTINUOUS\n70\n0\n3\nSolid line\n72\n65\n73\n0\n40\n0.0\n0\nENDTAB\n");
+    text::append_format(out_.buffer(), "0\nTABLE\n2\nLAYER\n70\n{}\n", 2 * kDxfLayers.size());
+    for (std::size_t i = 0; i < kDxfLayers.size(); ++i) {
+        for (const std::string_view height : {std::string_view(), kChangesHeight}) {
+            text::append_format(out_.buffer(), "0\nLAYER\n2\n{}{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n",
+                                kDxfLayers[i], height, kDxfColours[i]);
+        }
+    }
+    text::append_text(out_.buffer(), "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES");
+    out_.end_line();
+}
+
+void DxfWriter::end(double /*end_s*/) {
+    flush();
+    write(0, "ENDSEC");
+    write(0, "EOF");
+}
+
+// --- Segments ---
+
+void DxfWriter::take(const Segment& segment, const MoveInfo& info) {
+    if (segment.kind == SegmentKind::rest || cut_short()) return;
+    const Layer layer = info.kind == MoveKind::rapid ? Layer::rapid : info.jet_on ? Layer::cut : Layer::feed;
+    if (layer != layer_ || segment.target_id != target_id_) flush();
+    layer_ = layer;
+    target_id_ = segment.target_id;
+    tip_.stand_at(segment.start);
+    if (const auto round = round_of(segment)) return add(*round);
+    add_curve(segment);
+}
+
+/// The tip where the position joints have these values, and all others those of the segment's start.
+Vector3d DxfWriter::tip_at(const Segment& segment, const Vector3d& position_mm) const {
+    rrs::JointPos joints = segment.start;
+    for (std::size_t axis = 0; axis < segment.position_joints.size(); ++axis) {
+        const int joint = segment.position_joints[axis];
+        if (joint >= 0) joints[joint] = position_mm[static_cast<Eigen::Index>(axis)];
+    }
+    return tip_.at(joints);
+}
+
+/// The arc that the tip makes of a segment, where it is one about an axis along Z.
+std::optional<DxfWriter::Round> DxfWriter::round_of(const Segment& segment) const {
+    const motion::Arc& arc = segment.arc;
+    if (segment.kind != SegmentKind::circular || segment.beside) return std::nullopt;
+    if (std::abs(arc.end_radius_mm - arc.radius_mm) > kTolerance_mm) return std::nullopt;
+    const Vector3d center = tip_at(segment, arc.center);
+    const Vector3d u = tip_at(segment, arc.center + arc.u) - center;
+    const Vector3d v = tip_at(segment, arc.center + arc.v) - center;
+    const bool rigid =
+        std::abs(u.norm() - 1) < kRigid && std::abs(v.norm() - 1) < kRigid && std::abs(u.dot(v)) < kRigid;
+    if (!rigid || std::abs(u.z()) > kRigid || std::abs(v.z()) > kRigid) return std::nullopt;
+    Round round{.center_mm = center, .radius_mm = (arc.radius_mm + arc.end_radius_mm) / 2};
+    round.from_rad = std::atan2(u.y(), u.x());
+    round.sweep_rad = u.cross(v).z() > 0 ? arc.sweep_rad : -arc.sweep_rad;
+    return passes(segment, round) ? std::optional(round) : std::nullopt;
+}
+
+/// Whether the tip goes along the arc, as it does not on a helix, or where another joint moves it as well.
+bool DxfWriter::passes(const Segment& segment, const Round& round) const {
+    for (int i = 1; i <= kLeastSteps; ++i) {
+        const Vector3d tip = tip_.at(segment.position_at(segment.duration_s * i / kLeastSteps));
+        const Vector3d off = tip - round.center_mm;
+        const double beside_mm = std::abs(off.head<2>().norm() - round.radius_mm);
+        if (std::abs(off.z()) > kLevel_mm || beside_mm > kTolerance_mm) return false;
+    }
+    const Vector3d end = on_round(round.center_mm, round.radius_mm, round.from_rad + round.sweep_rad);
+    return (tip_.at(segment.end_position()) - end).norm() < kTolerance_mm;
+}
+
+/// Arcs of one move that go on in each other are one.
+void DxfWriter::add(const Round& round) {
+    const auto goes_on = [&] {
+        const bool same = (round_->center_mm - round.center_mm).norm() < kStraight_mm &&
+                          std::abs(round_->radius_mm - round.radius_mm) < kStraight_mm &&
+                          (round_->sweep_rad > 0) == (round.sweep_rad > 0);
+        const double end_rad = round_->from_rad + round_->sweep_rad;
+        return same &&
+               std::abs(std::remainder(end_rad - round.from_rad, kTurn_rad)) * round.radius_mm < kStraight_mm;
+    };
+    if (round_ && goes_on()) {
+        round_->sweep_rad += round.sweep_rad;
+        return;
+    }
+    flush();
+    ++drawn_points_;
+    round_ = round;
+}
+
+void DxfWriter::add_curve(const Segment& segment) {
+    if (round_) flush();
+    if (points_.empty()) points_.push_back(tip_.at(segment.start));
+    add_tip_way(
+        segment, tip_, kTolerance_mm,
+        [this](const Vector3d& point_mm, double /*t_s*/) { add_point(point_mm); },
+        [this] { return !cut_short(); });
+}
+
+/// A line that goes on straight is one.
+void DxfWriter::add_point(const Vector3d& point_mm) {
+    ++drawn_points_;
+    if ((point_mm - points_.back()).norm() < kSamePoint_mm) return;
+    const std::size_t count = points_.size();
+    if (count >= 2 && distance_from_line(points_.back(), points_[count - 2], point_mm) < kStraight_mm) {
+        points_.back() = point_mm;
+        return;
+    }
+    points_.push_back(point_mm);
+    if (points_.size() < kMostInOne) return;
+    flush();
+    points_.push_back(point_mm);
+}
+
+// --- Entities ---
+
+void DxfWriter::flush() {
+    if (round_) write_round();
+    if (points_.size() == 2) write_line();
+    if (points_.size() > 2) write_polyline();
+    round_.reset();
+    points_.clear();
+}
+
+void DxfWriter::begin_entity(std::string_view kind, bool level) {
+    write(0, kind);
+    write(8, fmt::format("{}{}", kDxfLayers[static_cast<std::size_t>(layer_)], level ? "" : kChangesHeight));
+}
+
+void DxfWriter::write_line() {
+    begin_entity("LINE", std::abs(points_[1].z() - points_[0].z()) < kLevel_mm);
+    write_point(10, points_[0]);
+    write_point(11, points_[1]);
+}
+
+void DxfWriter::write_polyline() {
+    const auto [low, high] = std::minmax_element(
+        points_.begin(), points_.end(), [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); });
+    const bool level = high->z() - low->z() < kLevel_mm;
+    begin_entity("POLYLINE", level);
+    write(66, "1");
+    write_point(10, Vector3d::Zero());
+    write(70, std::to_string(kPolyline3d));
+    for (const Vector3d& point : points_) {
+        begin_entity("VERTEX", level);
+        write_point(10, point);
+        write(70, std::to_string(kVertex3d));
+    }
+    begin_entity("SEQEND", level);
+}
+
+/// All whole turns are one circle, the rest is an arc, which DXF has counter-clockwise.
+void DxfWriter::write_round() {
+    const double sweep_rad = std::abs(round_->sweep_rad);
+    const double turns = std::floor(sweep_rad / kTurn_rad + kRigid);
+    if (turns > 0) {
+        begin_entity("CIRCLE", true);
+        write_point(10, round_->center_mm);
+        write(40, round_->radius_mm);
+    }
+    const double rest_rad = sweep_rad - turns * kTurn_rad;
+    if (rest_rad * round_->radius_mm < kStraight_mm) return;
+    const double from_rad = round_->sweep_rad > 0 ? round_->from_rad : round_->from_rad - rest_rad;
+    begin_entity("ARC", true);
+    write_point(10, round_->center_mm);
+    write(40, round_->radius_mm);
+    write(50, from_rad / kRadPerDeg);
+    write(51, (from_rad + rest_rad) / kRadPerDeg);
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "motion/planner/planner_setup.h"
+#include "runtime/monitors/part_tip.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/outputs/text_stream.h"
+
+namespace gsim::simulation {
+
+/// Writes the way of the tool's tip on the part as a DXF drawing of release 12, in mm (docs/report.md). What
+/// a move makes of lines is one LINE or POLYLINE, arcs parallel to XY stay arcs, other curves become lines
+/// within kTolerance_mm. Layers tell rapids, feed moves, and feed moves with the process on apart, each once
+/// for what stays at its height and once for what does not, since drawings of parts are flat.
+class DxfWriter : public RunOutput {
+  public:
+    static constexpr double kTolerance_mm = 0.005;
+
+    static constexpr std::uint64_t kMostPoints = 10'000'000;  ///< Some 1 GB.
+
+    /// `out` must outlive this. Behind `most_points` it draws nothing.
+    DxfWriter(TextStream& out, const machine::Machine& machine, std::uint64_t most_points = kMostPoints);
+
+    /// Whether moves are missing, as there would be too many points: a helix may have any number of turns.
+    bool cut_short() const { return drawn_points_ > most_points_; }
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+  private:
+    /// An arc about an axis along Z.
+    struct Round {
+        Eigen::Vector3d center_mm;
+        double radius_mm = 0;
+        double from_rad = 0;
+        double sweep_rad = 0;  ///< Below 0: clockwise.
+    };
+    enum class Layer : std::uint8_t { rapid, feed, cut };
+
+    Eigen::Vector3d tip_at(const motion::Segment& segment, const Eigen::Vector3d& position_mm) const;
+    std::optional<Round> round_of(const motion::Segment& segment) const;
+    bool passes(const motion::Segment& segment, const Round& round) const;
+    void add(const Round& round);
+    void add_curve(const motion::Segment& segment);
+    void add_point(const Eigen::Vector3d& point_mm);
+    void flush();
+    void write_line();
+    void write_polyline();
+    void write_round();
+    void begin_entity(std::string_view kind, bool level);
+    void write(int code, std::string_view value);
+    void write(int code, double value);
+    void write_point(int code, const Eigen::Vector3d& point_mm);
+
+    TextStream& out_;
+    std::uint64_t most_points_;
+    std::uint64_t drawn_points_ = 0;
+    motion::PlannerSetup setup_;
+    PartTip tip_;
+    Layer layer_ = Layer::rapid;
+    std::int64_t target_id_ = 0;
+    std::vector<Eigen::Vector3d> points_;  ///< Of lines that are not written yet; none, or two and more.
+    std::optional<Round> round_;           ///< Or an arc that is not.
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "runtime/outputs/path_style.h"
+
+namespace gsim::simulation {
+
+/// A corner of a polyline; the style is that of the line which ends here.
+struct PathPoint {
+    Eigen::Vector2d at_mm;
+    PathStyle style;
+};
+
+/// Takes a path point by point and keeps a polyline of few points that stays near it. Points are left out as
+/// long as those in between are within a tolerance of the straight line (Reumann and Witkam); whenever the
+/// polyline grows too long the tolerance doubles.
+class PathThinner {
+  public:
+    static constexpr std::size_t kMaxPoints = 20000;
+
+    void add(const Eigen::Vector2d& at_mm, PathStyle style);
+    /// The polyline up to the last point added.
+    std::vector<PathPoint> points() const;
+
+  private:
+    void push(const PathPoint& point);
+    void keep_last();
+    bool continues_line(const Eigen::Vector2d& at_mm) const;
+    void coarsen();
+
+    double tolerance_mm_ = 1e-3;
+    std::vector<PathPoint> kept_;
+    std::optional<PathPoint> last_;             // seen, not kept yet
+    std::optional<Eigen::Vector2d> direction_;  // of the line from the last kept point
+};
+
+}  // namespace gsim::simulation

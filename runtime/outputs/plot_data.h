@@ -1,0 +1,109 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "motion/dynamics/segment_efforts.h"
+#include "runtime/monitors/following_motion.h"
+#include "runtime/outputs/path_thinner.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/time_buckets.h"
+
+namespace gsim::simulation {
+
+/// What is marked on the path.
+enum class MarkKind : std::uint8_t { pierce, alarm, collision };
+
+struct PlotMark {
+    Eigen::Vector2d at_mm;
+    MarkKind kind;
+};
+
+/// Gathers what a Picture shows, in bounded memory: the path seen from above, or from a side, that is two of
+/// the machine's X, Y and Z; and the tool's speed, acceleration along its path and programmed feed over time.
+class PlotData : public RunOutput {
+  public:
+    static constexpr std::size_t kMostPierces = 10'000;  ///< That are marked; those behind them are not.
+
+    /// The axes across and upwards: X Y, X Z and Y Z of the planes xy, zx and yz; in xy a machine's first two
+    /// axes where it has no such letters. What the plane lacks of the machine is an error, lacks_axes().
+    explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
+    /// Before the run: the picture shows what the motors bring up, too. `dynamics` must outlive this.
+    void add_efforts(const dynamics::Dynamics& dynamics);
+    /// Before the run: it shows following errors, too.
+    void add_following(const FollowingSetup& setup);
+    /// The sentence that the machine has not the axes of a side view; nothing where it has.
+    static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+    /// Where bodies of the cell touch, and behind all else where an alarm ends the run.
+    void mark_collision(const rrs::JointPos& joints);
+    void mark_alarm();
+
+    const std::vector<PlotMark>& marks() const { return marks_; }
+    std::vector<PathPoint> path() const { return path_.points(); }
+    std::vector<TimePoint> speed() const { return speed_.points(); }
+    std::vector<TimePoint> acceleration() const { return acceleration_.points(); }
+    /// At the ends of moves for which a feed in mm/min is programmed, in mm/s.
+    std::vector<TimePoint> feed() const { return feed_.points(); }
+    /// What the motor of an axis brings up, N or Nm; none where no masses are known.
+    std::vector<TimePoint> efforts(std::size_t axis) const {
+        return efforts_.empty() ? std::vector<TimePoint>() : efforts_[axis].points();
+    }
+    bool has_efforts() const { return !efforts_.empty(); }
+    /// How far an axis is behind its set points, mm or deg.
+    std::vector<TimePoint> following(std::size_t axis) const { return following_[axis].points(); }
+    bool has_following() const { return !following_.empty(); }
+    /// How far the tip is from the way of its set points, mm; where that is known.
+    std::vector<TimePoint> contour() const { return contour_.points(); }
+    const std::vector<machine::Axis>& axes() const { return machine_.axes; }
+    /// The machine's limit of acceleration along the path, mm/s2; infinite where it has none.
+    double max_acceleration_mm_s2() const { return machine_.path.max_acceleration_mm_s2; }
+    /// What the machine works with: "jet".
+    std::string process() const {
+        return std::string(
+            machine::name(machine_.process ? machine_.process->kind : machine::ProcessKind::jet));
+    }
+    /// Labels of the two path axes, such as "X (mm)".
+    const std::array<std::string, 2>& labels() const { return labels_; }
+
+  private:
+    Eigen::Vector2d seen(const rrs::JointPos& joints) const;
+    void mark_pierce(const motion::Segment& segment, bool jet_on);
+    void add_path(const motion::Segment& segment, PathStyle style);
+    void add_path_of_joints(const motion::Segment& segment, PathStyle style);
+    void add_speed(const motion::Segment& segment, PathStyle style);
+    void add_acceleration(const motion::Segment& segment, PathStyle style);
+    void add_acceleration_of_joints(const motion::Segment& segment, PathStyle style);
+    void add_efforts_of(const motion::Segment& segment);
+    void add_following_at(double t_s);
+    void add_rest(const motion::Segment& segment, PathStyle style);
+    void add_feed(const motion::Segment& segment, const MoveInfo& info);
+
+    const machine::Machine& machine_;
+    std::array<std::size_t, 2> axes_{0, 0};
+    std::array<std::string, 2> labels_;
+    rrs::JointPos at_;
+    bool jet_ = false;
+    std::vector<PlotMark> marks_;
+    PathThinner path_;
+    TimeBuckets speed_;
+    TimeBuckets acceleration_;
+    TimeBuckets feed_;
+    std::optional<dynamics::SegmentEfforts> motors_;
+    std::vector<TimeBuckets> efforts_;  ///< By axis.
+    std::optional<FollowingMotion> servos_;
+    std::vector<TimeBuckets> following_;  ///< By axis.
+    TimeBuckets contour_;
+};
+
+}  // namespace gsim::simulation

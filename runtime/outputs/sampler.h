@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/outputs/run_output.h"
+
+namespace gsim::simulation {
+
+/// Looks at a run at each multiple of a step, computed as k step so that no error adds up, and at its last
+/// instant.
+class Sampler : public RunOutput {
+  public:
+    static constexpr double kMinStep_s = 1e-6;
+
+    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. Past `max_time_s`, where
+    /// a run ends, there is the last instant alone: a single move may take years.
+    Sampler(double step_s, double max_time_s);
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override { position_ = start; }
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+  protected:
+    /// Of the instant that is looked at: the segment, and the time since its start. Null between segments and
+    /// at the end, where the machine rests.
+    const motion::Segment* segment() const { return segment_; }
+    double segment_time_s() const { return segment_time_s_; }
+
+  private:
+    /// An instant; false: no more are wanted.
+    virtual bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) = 0;
+    bool due(double before_s) const;
+    double next_s() const { return static_cast<double>(next_) * step_s_; }
+
+    double step_s_;
+    double max_time_s_;
+    bool wanted_ = true;
+    std::uint64_t next_ = 0;  // number of the next sample
+    rrs::JointPos position_;  // at the end of the last segment
+    std::uint32_t line_ = 0;
+    const motion::Segment* segment_ = nullptr;
+    double segment_time_s_ = 0;
+};
+
+}  // namespace gsim::simulation

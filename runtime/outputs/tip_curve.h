@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "motion/segment/segment.h"
+#include "runtime/monitors/part_tip.h"
+
+namespace gsim::simulation {
+
+/// The most parts in which the way of a segment is looked at: 8,192 turns. Of more turns the way is drawn
+/// coarser, as chords over these parts.
+inline constexpr double kMostParts = 65'536;
+
+/// The parts in which the way of the tip is looked at, so that none turns by more than an eighth of a turn; a
+/// whole number, at most kMostParts.
+double least_parts(const motion::Segment& segment, const PartTip& tip);
+
+/// The distance of a point from the line between two others.
+double distance_from_line(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to);
+
+/// Gives points of the tip's way on the part over a part of a segment, the one at `from_s` left out, such
+/// that lines between them stay within `tolerance_mm` of it. `add(point_mm, t_s)`, with times since the
+/// segment's start. Halves what is not straight, `halvings` times at most.
+template <typename Add>
+void add_tip_curve(const motion::Segment& segment, const PartTip& tip, double tolerance_mm, double from_s,
+                   double to_s, const Add& add, int halvings) {
+    const auto at = [&](double t_s) { return tip.at(segment.position_at(t_s)); };
+    const Eigen::Vector3d from = at(from_s);
+    const Eigen::Vector3d to = at(to_s);
+    const double middle_s = (from_s + to_s) / 2;
+    const auto close = [&](double t_s) { return distance_from_line(at(t_s), from, to) < tolerance_mm / 2; };
+    const bool straight = close(middle_s) && close((from_s + middle_s) / 2) && close((middle_s + to_s) / 2);
+    if (straight || halvings == 0) return add(to, to_s);
+    add_tip_curve(segment, tip, tolerance_mm, from_s, middle_s, add, halvings - 1);
+    add_tip_curve(segment, tip, tolerance_mm, middle_s, to_s, add, halvings - 1);
+}
+
+/// The same over the whole segment. `goes_on()`: false where no more points are wanted.
+template <typename Add, typename GoesOn>
+void add_tip_way(const motion::Segment& segment, const PartTip& tip, double tolerance_mm, const Add& add,
+                 const GoesOn& goes_on) {
+    constexpr int kMostHalvings = 12;
+    const double parts = least_parts(segment, tip);
+    const int halvings = parts < kMostParts ? kMostHalvings : 0;
+    for (double i = 0; i < parts && goes_on(); ++i) {
+        add_tip_curve(segment, tip, tolerance_mm, segment.duration_s * i / parts,
+                      segment.duration_s * (i + 1) / parts, add, halvings);
+    }
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "machine/model/machine.h"
+#include "motion/dynamics/segment_efforts.h"
+#include "runtime/monitors/following_motion.h"
+#include "runtime/outputs/sampler.h"
+#include "runtime/outputs/text_stream.h"
+
+namespace gsim::simulation {
+
+/// Writes samples of the trajectory as CSV (docs/report.md), one line for each.
+class TrajectoryWriter : public Sampler {
+  public:
+    /// As in Sampler. `out` and `machine` must outlive this. Behind `most_samples` it writes none but the
+    /// last instant.
+    TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s, double max_time_s,
+                     std::uint64_t most_samples = kMostSamples);
+
+    static constexpr std::uint64_t kMostSamples = 100'000'000;  ///< Some 5 GB.
+
+    /// Before the run: each sample has what the motors bring up then, and their power. `dynamics` must
+    /// outlive this.
+    void add_efforts(const dynamics::Dynamics& dynamics) { efforts_.emplace(dynamics); }
+
+    /// Before the run: each sample has how far axes and tip are from where they should be, and the real tip.
+    void add_following(const FollowingSetup& setup) { following_.emplace(setup); }
+
+    /// Whether samples are missing, as there would be too many.
+    bool cut_short() const { return cut_short_; }
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+  private:
+    void write_header();
+    void write_efforts(const rrs::JointPos& joints);
+    void write_following(double t_s);
+    void enter_segment(const motion::Segment& segment);
+    bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) override;
+
+    TextStream& out_;
+    const machine::Machine& machine_;
+    std::optional<dynamics::SegmentEfforts> efforts_;
+    std::optional<FollowingMotion> following_;
+    MoveInfo info_;         // of the segment that is sampled,
+    bool entered_ = false;  // which following_ knows
+    std::uint64_t most_samples_;
+    std::uint64_t samples_ = 0;
+    bool cut_short_ = false;
+    bool at_end_ = false;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/services/types.h"
+#include "machine/model/link_shape.h"
+#include "runtime/processes/schedule.h"
+#include "runtime/report/report.h"
+
+namespace gsim::process {
+
+/// A part of the world of all robots in which one of them may be at a time.
+struct SharedZone {
+    std::string name;
+    machine::ShapeForm form;  ///< No mesh.
+    rrs::CartPos frame = rrs::CartPos::Identity();
+};
+
+/// Who has which shared zone, and who waits for it: in the order in which they asked.
+class SharedZones {
+  public:
+    /// A report lists no more uses than this; what is past it is counted.
+    static constexpr std::size_t kMostListed = 10'000;
+
+    explicit SharedZones(const std::vector<SharedZone>& zones = {}) : zones_(zones.begin(), zones.end()) {}
+
+    std::size_t size() const { return zones_.size(); }
+    const std::string& name(std::size_t zone) const { return zones_[zone].name; }
+    std::optional<std::size_t> find(std::string_view name) const;
+    std::vector<std::string_view> names() const;
+    const std::optional<ProcessId>& holder(std::size_t zone) const { return zones_[zone].holder; }
+
+    /// The process asks for the zone at its time; true where it has it at once. Else it waits in the schedule
+    /// until the zone is its own.
+    bool enter(Schedule& schedule, std::size_t zone, ProcessId process);
+    /// The process that has it lets it go at its time; the next one that has it then.
+    std::optional<ProcessId> leave(Schedule& schedule, std::size_t zone);
+
+    const std::vector<simulation::ZoneUse>& uses() const { return uses_; }
+    std::uint64_t dropped() const { return dropped_; }
+
+  private:
+    struct Waiting {
+        ProcessId process;
+        std::optional<std::size_t> use;  ///< In uses_, where it is listed.
+    };
+    struct Zone {
+        explicit Zone(const SharedZone& of) : name(of.name) {}
+
+        std::string name;
+        std::optional<ProcessId> holder = {};
+        std::optional<std::size_t> use = {};  ///< Of the holder.
+        std::deque<Waiting> waiting = {};
+    };
+
+    std::optional<std::size_t> note(const Process& process, const std::string& zone);
+    void give(Zone& zone, const Waiting& to, double time_s);
+
+    std::vector<Zone> zones_;
+    std::vector<simulation::ZoneUse> uses_;
+    std::uint64_t dropped_ = 0;
+};
+
+}  // namespace gsim::process

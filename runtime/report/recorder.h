@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "motion/segment/segment.h"
+#include "runtime/monitors/exact_sum.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/report.h"
+#include "runtime/simulator/move.h"
+
+namespace gsim::simulation {
+
+/// Brings together what the client knows of moves and the segments that the planner makes of them: sums up
+/// the report and feeds the outputs. Memory is bounded by the moves that wait for their segments.
+///
+/// A move is made of all segments with its target id; they come one after the other, in the order of
+/// expect(). It counts, and goes to the outputs, if it takes time or is a dwell; a move to where the machine
+/// already stands does neither. Rests count as dwell whatever the move is. A segment that nobody expects
+/// counts in time and length, but makes no move.
+class Recorder : public motion::SegmentSink {
+  public:
+    /// `machine` and `start` (joint values, mm or rad) hold from time 0 on; `machine` must outlive this.
+    Recorder(const machine::Machine& machine, const rrs::JointPos& start);
+
+    /// Before the first segment. `output` must outlive this.
+    void add_output(RunOutput& output);
+
+    /// Announces a move, before its first segment is taken.
+    void expect(const MoveInfo& info) { waiting_.push_back(info); }
+    void take(const motion::Segment& segment) override;
+    /// The move announced last takes these joints past their ranges (MoveInfo::beyond).
+    void mark_last(std::uint16_t beyond);
+
+    /// The move whose segments arrive; what nobody expects has an id alone.
+    const MoveInfo& move() const { return move_.info; }
+    /// End of the segments so far.
+    double time_s() const { return end_s_; }
+
+    /// Ends the outputs and fills in what a recorder knows of a report: times, lengths, moves, bounds,
+    /// slowest and the name of the machine. Call it once, behind the last segment.
+    void finish(Report& report);
+
+  private:
+    // Highest first; the earlier of equals first.
+    class Slowest {
+      public:
+        void add(const RecordedMove& move);
+        std::vector<SlowBlock> list(const machine::Machine& machine) const;
+
+      private:
+        std::array<RecordedMove, 10> moves_;
+        std::ptrdiff_t count_ = 0;
+    };
+
+    bool is_between_moves(const motion::Segment& segment) const;
+    void take_between_moves(const motion::Segment& rest);
+    void go_to_move(rrs::TargetId id);
+    void begin_move(const MoveInfo& info);
+    void end_move();
+    void add_limit(const motion::Segment& segment);
+    void add_to_sums(const motion::Segment& segment);
+    void add_to_bounds(const motion::Segment& segment);
+    std::vector<AxisBounds> bounds() const;
+
+    const machine::Machine& machine_;
+    std::vector<RunOutput*> outputs_;
+    rrs::JointPos start_;
+    std::deque<MoveInfo> waiting_;
+    RecordedMove move_;     // the one whose segments arrive
+    double longest_s_ = 0;  // of its segments
+    bool in_move_ = false;  // move_ was expected, so that it may count
+    double end_s_ = 0;
+    std::uint64_t moves_ = 0;
+    ExactSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    ExactSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
+    std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
+    Slowest slowest_;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+/// The key `efforts` of a report that has them (docs/report.md).
+nlohmann::ordered_json efforts_json(const Report& report);
+
+/// The same for people, in whole lines.
+std::string efforts_text(const Report& report);
+
+}  // namespace gsim::simulation

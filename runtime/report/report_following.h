@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+/// The key `following` of a report that has it (docs/report.md).
+nlohmann::ordered_json following_json(const Report& report);
+
+/// The same for people, in whole lines.
+std::string following_text(const Report& report);
+
+}  // namespace gsim::simulation

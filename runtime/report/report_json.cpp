@@ -1,0 +1,333 @@
+#include <cmath>
+#include <utility>
+
+#include "base/text/diagnostic_json.h"
+#include "runtime/report/report_diagnostics.h"
+#include "runtime/report/report_efforts.h"
+#include "runtime/report/report_following.h"
+#include "runtime/report/report_values.h"
+#include "runtime/report/robots_report.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+Json calls(const Report& report, const std::vector<OpenCall>& open) {
+    Json list = Json::array();
+    for (const OpenCall& call : open) {
+        list.push_back(
+            {{"program", call.program}, {"file", file(report, call.place)}, {"line", line(call.place)}});
+    }
+    return list;
+}
+
+Json alarm(const Report& report) {
+    if (!report.alarm) return nullptr;
+    const Alarm& alarm = *report.alarm;
+    return {{"code", text::code_of(alarm.kind)},
+            {"message", alarm.message},
+            {"file", file(report, alarm.place)},
+            {"line", line(alarm.place)},
+            {"axis", alarm.axis != 0 ? letter(alarm.axis) : Json(nullptr)},
+            {"value", number(alarm.value)},
+            {"limit", number(alarm.limit)},
+            {"calls", calls(report, alarm.calls)}};
+}
+
+Json violations(const Report& report) {
+    Json list = Json::array();
+    for (const Violation& violation : report.violations.list) {
+        list.push_back({{"t_s", number(violation.t_s)},
+                        {"file", file(report, violation.place)},
+                        {"line", line(violation.place)},
+                        {"axis", letter(violation.axis)},
+                        {"unit", violation.rotary ? "deg" : "mm"},
+                        {"value", number(violation.value)},
+                        {"limit", number(violation.limit)},
+                        {"amount", number(violation.amount())},
+                        {"zone", violation.zone.empty() ? Json(nullptr) : Json(violation.zone)},
+                        {"offset", violation.offset.empty() ? Json(nullptr) : Json(violation.offset)},
+                        {"message", violation.message},
+                        {"calls", calls(report, violation.calls)}});
+    }
+    return list;
+}
+
+Json findings(const Report& report) {
+    Json list = Json::array();
+    for (const ProcessFinding& finding : report.findings.list) {
+        list.push_back({{"t_s", number(finding.t_s)},
+                        {"file", file(report, finding.place)},
+                        {"line", line(finding.place)},
+                        {"code", text::code_of(finding.kind)},
+                        {"message", finding.message}});
+    }
+    return list;
+}
+
+Json remedy(const Violations& violations) {
+    Json list = Json::array();
+    for (const OffsetShift& shift : violations.remedy) {
+        list.push_back(
+            {{"offset", shift.offset}, {"axis", letter(shift.axis)}, {"shift_mm", number(shift.shift_mm)}});
+    }
+    return list;
+}
+
+Json deviation(const Report& report, const Deviation& deviation) {
+    const bool any = deviation.deviation_mm > 0;
+    return {{"max_deviation_mm", number(deviation.deviation_mm)},
+            {"file", any ? file(report, deviation.place) : Json(nullptr)},
+            {"line", any ? line(deviation.place) : Json(nullptr)}};
+}
+
+Json blends(const Report& report) {
+    if (!report.blends.measured) return nullptr;
+    Json blends{{"count", report.blends.count}};
+    blends.update(deviation(report, report.blends.greatest()));
+    blends["feed"] = deviation(report, report.blends.feed);
+    blends["rapid"] = deviation(report, report.blends.rapid);
+    return blends;
+}
+
+Json bounds(const Report& report) {
+    Json bounds = Json::object();
+    for (const AxisBounds& axis : report.bounds) {
+        bounds[std::string(1, axis.letter)] = {{"min", number(axis.min)},
+                                               {"max", number(axis.max)},
+                                               {"limit_min", number(axis.limit_min)},
+                                               {"limit_max", number(axis.limit_max)}};
+    }
+    return bounds;
+}
+
+Json events(const Report& report) {
+    Json events = Json::array();
+    for (const Event& event : report.events) {
+        Json entry = {{"t_s", number(event.t_s)},
+                      {"file", file(report, event.place)},
+                      {"line", line(event.place)},
+                      {"kind", event.kind}};
+        if (!event.detail.empty()) entry["detail"] = event.detail;
+        events.push_back(std::move(entry));
+    }
+    return events;
+}
+
+Json slowest(const Report& report) {
+    Json blocks = Json::array();
+    for (const SlowBlock& block : report.slowest) {
+        blocks.push_back({{"file", file(report, block.place)},
+                          {"line", line(block.place)},
+                          {"kind", std::string(name(block.kind))},
+                          {"duration_s", number(block.duration_s)},
+                          {"length_mm", number(block.length_mm)},
+                          {"limited_by", block.limited_by.empty() ? Json(nullptr) : Json(block.limited_by)}});
+    }
+    return blocks;
+}
+
+Json time_by_limit(const Explanation& explanation) {
+    Json times = Json::array();
+    for (const LimitTime& limit : explanation.time_by_limit) {
+        times.push_back({{"limited_by", limit.limited_by}, {"time_s", number(limit.time_s)}});
+    }
+    return times;
+}
+
+Json point(const std::array<double, 3>& point_mm) {
+    return Json::array({number(point_mm[0]), number(point_mm[1]), number(point_mm[2])});
+}
+
+Json looked_at(const LookedAt& looked) {
+    Json json{{"of_machine", looked.of_machine}, {"jets", looked.jets},
+              {"objects", looked.objects},       {"pairs", looked.pairs},
+              {"may_touch", looked.may_touch},   {"replaced", looked.replaced}};
+    if (looked.with_robots > 0) json["with_robots"] = looked.with_robots;
+    return json;
+}
+
+Json collisions(const Report& report) {
+    Json list = Json::array();
+    for (const Collision& collision : report.cell->collisions) {
+        list.push_back({{"t_s", number(collision.t_s)},
+                        {"file", file(report, collision.place)},
+                        {"line", line(collision.place)},
+                        {"pair", Json::array({collision.first, collision.second})},
+                        {"point_mm", point(collision.point_mm)},
+                        {"kind", collision.penetrating ? "penetrating" : "touching"}});
+    }
+    return list;
+}
+
+Json clearances(const Report& report) {
+    Json list = Json::array();
+    for (const BlockClearance& block : report.cell->clearances) {
+        list.push_back({{"file", file(report, block.place)},
+                        {"line", line(block.place)},
+                        {"clearance_mm", number(block.clearance_mm)},
+                        {"pair", Json::array({block.first, block.second})},
+                        {"point_mm", point(block.point_mm)}});
+    }
+    return list;
+}
+
+Json processes(const std::vector<ProcessSummary>& list) {
+    Json processes = Json::array();
+    for (const ProcessSummary& process : list) {
+        processes.push_back({{"name", process.name},
+                             {"robot", process.robot.empty() ? Json(nullptr) : Json(process.robot)},
+                             {"state", process.state},
+                             {"start_s", number(process.start_s)},
+                             {"end_s", number(process.end_s)},
+                             {"idle_s", number(process.idle_s)}});
+    }
+    return processes;
+}
+
+Json signals(const Report& report) {
+    Json signals = Json::array();
+    for (const SignalChange& change : report.signals) {
+        signals.push_back({{"t_s", number(change.t_s)},
+                           {"file", file(report, change.place)},
+                           {"line", line(change.place)},
+                           {"process", change.process},
+                           {"signal", change.signal},
+                           {"value", change.value}});
+    }
+    return signals;
+}
+
+Json zone_uses(const Report& report) {
+    Json uses = Json::array();
+    for (const ZoneUse& use : report.zone_uses) {
+        uses.push_back({{"zone", use.zone},
+                        {"process", use.process},
+                        {"file", file(report, use.place)},
+                        {"line", line(use.place)},
+                        {"asked_s", number(use.asked_s)},
+                        {"from_s", use.from_s ? number(*use.from_s) : Json(nullptr)},
+                        {"to_s", use.to_s ? number(*use.to_s) : Json(nullptr)}});
+    }
+    return uses;
+}
+
+Json passes(const Report& report) {
+    return {{"count", report.passes->count},
+            {"file", file(report, report.passes->place)},
+            {"line", line(report.passes->place)},
+            {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
+}
+
+/// Without the rounding of shares.
+double percent(double share) {
+    return std::round(share * 1e10) / 1e8;
+}
+
+Json overrides(const OverrideReport& overrides) {
+    Json changes = Json::array();
+    for (const motion::OverrideChange& change : overrides.changes) {
+        changes.push_back({{"at_s", number(change.at_s)},
+                           {"feed_percent", number(percent(change.to.feed))},
+                           {"rapid_percent", number(percent(change.to.rapid))},
+                           {"spindle_percent", number(percent(change.to.spindle))}});
+    }
+    return {{"changes", std::move(changes)},
+            {"feed_locked_s", number(overrides.feed_locked_s)},
+            {"rapid_locked_s", number(overrides.rapid_locked_s)},
+            {"spindle_locked_s", number(overrides.spindle_locked_s)}};
+}
+
+// `words_s` is there where words take time.
+Json times(const Report& report) {
+    Json json = {{"rapid_s", number(report.rapid_s)},
+                 {"feed_s", number(report.feed_s)},
+                 {"dwell_s", number(report.dwell_s)}};
+    if (report.words_s > 0) json["words_s"] = number(report.words_s);
+    return json;
+}
+
+Json object(const Report& report) {
+    Json json = {
+        {"program", report.program},
+        {"machine", report.machine},
+        {"controller", report.controller.empty() ? Json(nullptr) : Json(report.controller)},
+        {"status", std::string(name(report.status))},
+        {"alarm", alarm(report)},
+        {"violations", violations(report)},
+        {"violation_count", report.violations.count},
+        {"remedy", remedy(report.violations)},
+        {"cycle_time_s", number(report.cycle_time_s)},
+        {"valid_until_s", number(report.violations.valid_until_s())},
+        {"time", times(report)},
+        {"process", report.process},
+        {"length",
+         {{"rapid_mm", number(report.rapid_mm)},
+          {"feed_mm", number(report.feed_mm)},
+          {"jet_on_mm", number(report.jet_on_mm)}}},
+        {"blocks", report.blocks},
+        {"moves", report.moves},
+        {"blends", blends(report)},
+        {"bounds", bounds(report)},
+        {"events", events(report)},
+        {"warnings", report.warnings},
+        {"diagnostics", text::to_json(diagnostics_of(report))},
+        {"findings", findings(report)},
+        {"slowest", slowest(report)},
+    };
+    if (report.passes) json["passes"] = passes(report);
+    if (report.overrides) json["overrides"] = overrides(*report.overrides);
+    if (report.explanation) {
+        json["time_by_limit"] = time_by_limit(*report.explanation);
+        json["lower_bound_s"] = number(report.explanation->lower_bound_s);
+    }
+    if (report.interval)
+        json["cycle_time_95_s"] = {number(report.interval->least_s), number(report.interval->most_s)};
+    if (report.efforts) json["efforts"] = efforts_json(report);
+    if (report.following) json["following"] = following_json(report);
+    if (report.cell) {
+        json["cell"] = {{"name", report.cell->name},
+                        {"clearance_mm", number(report.cell->clearance_mm)},
+                        {"looked_at", looked_at(report.cell->looked_at)}};
+        json["collisions"] = collisions(report);
+        json["clearances"] = clearances(report);
+    }
+    if (!report.processes.empty()) {
+        json["processes"] = processes(report.processes);
+        json["signals"] = signals(report);
+    }
+    return json;
+}
+
+std::string text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+    return text(object(report));
+}
+
+std::string to_json(const RobotsReport& report) {
+    const Report& whole = report.whole;
+    Json json = {{"program", whole.program},
+                 {"status", std::string(name(whole.status))},
+                 {"alarm", alarm(whole)},
+                 {"violation_count", whole.violations.count},
+                 {"cycle_time_s", number(whole.cycle_time_s)},
+                 {"processes", processes(whole.processes)},
+                 {"signals", signals(whole)},
+                 {"zones", zone_uses(whole)},
+                 {"warnings", whole.warnings}};
+    Json robots = Json::array();
+    for (const RobotReport& robot : report.robots) {
+        Json entry = {{"name", robot.name}, {"idle_s", number(robot.idle_s)}};
+        entry.update(object(robot.report));
+        robots.push_back(std::move(entry));
+    }
+    json["robots"] = std::move(robots);
+    return text(json);
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+// Words of reports for people.
+
+inline constexpr std::size_t kLineWidth = 100;
+
+/// Names and messages come from strangers' files: without what a terminal would take as a command.
+std::string clean(std::string_view text);
+/// Of a long name the end, which tells more than its beginning.
+std::string shortened(std::string_view text, std::size_t width);
+/// "part.nc:12"
+std::string place_text(const Report& report, const Place& place, std::size_t width = 40);
+
+}  // namespace gsim::simulation

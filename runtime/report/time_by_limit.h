@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "machine/model/machine.h"
+#include "runtime/monitors/exact_sum.h"
+#include "runtime/outputs/run_output.h"
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+/// Adds up how long each kind of limit was what kept the machine from being faster, and how long it rested.
+class TimeByLimit : public RunOutput {
+  public:
+    using RunOutput::take;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+
+    /// The most time first; limits that took none are left out. The times add up to the cycle time.
+    std::vector<LimitTime> list(const machine::Machine& machine) const;
+
+  private:
+    static constexpr std::size_t kKinds =
+        static_cast<std::size_t>(motion::LimitKind::unknown) + 1;  // the last of them
+    static constexpr std::size_t kJoints = rrs::kMaxJoints + 1;    // the first: no joint
+
+    std::array<std::array<ExactSum, kJoints>, kKinds> limits_;
+    ExactSum rests_;
+};
+
+}  // namespace gsim::simulation

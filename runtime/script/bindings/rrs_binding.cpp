@@ -1,0 +1,185 @@
+#include <string>
+
+#include "runtime/script/bindings/bindings.h"
+#include "runtime/script/bindings/service_binding.h"
+#include "runtime/script/lua/lua_state.h"
+
+// The services as scripts call them: each returns the status first, then what the service gives. A target
+// that a script queues itself is recorded at the script's line as a rapid or linear move, by the motion type
+// in force.
+
+namespace gsim::script {
+
+using rrs::Shell;
+using rrs::Status;
+
+namespace {
+
+struct Target {
+    rrs::CartPos pose = rrs::CartPos::Identity();
+    rrs::JointPos joints;
+};
+
+/// A target: a list of joint values, or a pose.
+Target check_target(lua_State* state, int index) {
+    Target target;
+    luaL_checktype(state, index, LUA_TTABLE);
+    target.joints = rrs::JointPos::Zero(static_cast<Eigen::Index>(joint_count(state)));
+    lua_rawgeti(state, index, 1);
+    const bool is_pose = lua_istable(state, -1);
+    lua_pop(state, 1);
+    if (is_pose) {
+        target.pose = check_pose(state, index);
+    } else {
+        target.joints = check_joints(state, index, joint_count(state));
+    }
+    return target;
+}
+
+template <auto method>
+int service(lua_State* state) {
+    return call_service(state, method);
+}
+
+/// Services that no script may call: they are extensions for the words of programs, which call them through
+/// the simulator.
+template <auto method>
+inline constexpr bool kOfWords = false;
+template <>
+inline constexpr bool kOfWords<&Shell::SetNextArcTarget> = true;
+template <>
+inline constexpr bool kOfWords<&Shell::SetPathMode> = true;
+template <>
+inline constexpr bool kOfWords<&Shell::SetNextRest> = true;
+template <>
+inline constexpr bool kOfWords<&Shell::GetTargetOfLastStep> = true;
+template <>
+inline constexpr bool kOfWords<&Shell::SetTipControl> = true;
+template <>
+inline constexpr bool kOfWords<&Shell::ComeToRest> = true;
+
+// Services that scripts call in a way of their own, or that are more than the controller's to answer.
+
+template <>
+int service<&Shell::Initialize>(lua_State* state) {  // the run has opened the session
+    return answer(state, Status::RRS_SUCCESS);
+}
+
+template <>
+int service<&Shell::Reset>(lua_State* state) {  // the run owns it
+    return answer(state, Status::RRS_SERVICE_NOT_SUPPORTED);
+}
+
+template <>
+int service<&Shell::Terminate>(lua_State* state) {
+    return answer(state, Status::RRS_SERVICE_NOT_SUPPORTED);
+}
+
+template <>
+int service<&Shell::GetMessage>(lua_State* state) {
+    std::string message;
+    const Status status = shell_of(state).GetMessage(message);
+    answer(state, status);
+    lua_pushlstring(state, message.data(), message.size());
+    return 2;
+}
+
+template <>
+int service<&Shell::GetInverseKinematics>(lua_State* state) {
+    rrs::JointPos joints;
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? interpreter_of(state).simulator().joints()
+                                                         : check_joints(state, 2, joint_count(state));
+    const Status status = shell_of(state).GetInverseKinematics(check_pose(state, 1), near, joints);
+    return answer(state, status, joints);
+}
+
+template <>
+int service<&Shell::GetCellFrame>(lua_State* state) {
+    rrs::CartPos frame;
+    const Status status = interpreter_of(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
+    return answer(state, status, frame);
+}
+
+template <>
+int service<&Shell::ModifyCellFrame>(lua_State* state) {
+    return answer(state, interpreter_of(state).simulator().modify_cell_frame(luaL_checkstring(state, 1),
+                                                                             check_pose(state, 2)));
+}
+
+template <>
+int service<&Shell::SetInitialPosition>(lua_State* state) {
+    const Target target = check_target(state, 1);
+    return answer(state, interpreter_of(state).simulator().set_start([&] {
+        return shell_of(state).SetInitialPosition(target.pose, target.joints, {});
+    }));
+}
+
+/// rrs.SetNextTarget(target [, "via"]) and rrs.SetNextNamedTarget(target, name).
+int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.locate(state);
+    const Target target = check_target(state, 1);
+    const auto call = [&](rrs::TargetId id) {
+        return shell_of(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
+    };
+    if (param == rrs::TargetParam::via) return answer(state, call(0));
+    const Status status =
+        interpreter.simulator().queue_target(simulation::MoveKind::linear, interpreter.place(), call);
+    LuaState::of(state).restart_steps();
+    return answer(state, status);
+}
+
+template <>
+int service<&Shell::SetNextTarget>(lua_State* state) {
+    static const char* const kParams[] = {"end", "via", nullptr};
+    return queue(state, static_cast<rrs::TargetParam>(check_choice(state, 2, "end", kParams)), {});
+}
+
+template <>
+int service<&Shell::SetNextNamedTarget>(lua_State* state) {
+    return queue(state, rrs::TargetParam::end, luaL_checkstring(state, 2));
+}
+
+template <>
+int service<&Shell::CancelMotion>(lua_State* state) {
+    return answer(state, interpreter_of(state).simulator().cancel_motion());
+}
+
+template <>
+int service<&Shell::SelectTracking>(lua_State* state) {
+    return answer(state, interpreter_of(state).simulator().select_tracking(Arguments(state).next<int>(),
+                                                                           lua_toboolean(state, 2) != 0));
+}
+
+template <>
+int service<&Shell::SetObjectNextTarget>(lua_State* state) {
+    return answer(state, shell_of(state).SetObjectNextTarget(0, check_pose(state, 1)));
+}
+
+/// rrs.status_name(status)
+int status_name(lua_State* state) {
+    const std::string_view name = rrs::name(static_cast<Status>(Arguments(state).next<int>()));
+    lua_pushlstring(state, name.data(), name.size());
+    return 1;
+}
+
+template <auto method>
+void add_service(lua_State* state, Interpreter& interpreter, const char* name) {
+    if constexpr (!kOfWords<method>) {
+        lua_pushlightuserdata(state, &interpreter);
+        lua_pushcclosure(state, trampoline<service<method>>, 1);
+        lua_setfield(state, -2, name);
+    }
+}
+
+}  // namespace
+
+void add_rrs(lua_State* state, Interpreter& interpreter) {
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    add_service<&Shell::method>(state, interpreter, #method);
+#include "controller/module/rcs_services.def"
+    lua_pushcfunction(state, trampoline<status_name>);
+    lua_setfield(state, -2, "status_name");
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <lua.hpp>
+#include <tl/expected.hpp>
+
+#include "machine/data/machine_data.h"
+#include "runtime/script/lua/interpreter.h"
+#include "runtime/script/lua/library.h"
+#include "runtime/script/lua/script.h"
+
+namespace gsim::script {
+
+/// One robot of a run: the simulator of its machine, and what its control is told.
+struct Robot {
+    std::string name;  ///< Empty for the only one of a run without a file of robots.
+    simulation::Simulator& simulator;
+    std::string dialect = "ab9";
+    std::vector<CodeRow> codes;  ///< Of the dialect.
+    double unit_mm = 1;          ///< Of a program unit when the run begins: 1, or 25.4 for inches.
+    machine::MachineData data;
+    FindProgram find_program;                      ///< For programs that are called and not in the script.
+    FindProgram find_module;                       ///< For what scripts require beside the library.
+    rrs::CartPos base = rrs::CartPos::Identity();  ///< Of the machine's world in that of the conveyors.
+};
+
+/// The control of one robot: the library in Lua, loaded for it alone, with the C++ side that it is built on.
+/// Scripts see its environment.
+class Control {
+  public:
+    struct Switches {
+        bool block_delete = false;
+        bool optional_stop = false;
+        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start.
+    };
+    /// Adds functions to the table `core` of the library, which is on top of the stack.
+    using AddCore = std::function<void(lua_State*, Control&)>;
+
+    Control(Robot robot, PlaceFinder& places)
+        : robot_(std::move(robot)), interpreter_(robot_.simulator, places) {}
+    Control(const Control&) = delete;
+    Control& operator=(const Control&) = delete;
+
+    /// Loads the library. Errors are those of Lua, or std::runtime_error.
+    void open(lua_State* state, const Library& library, const Switches& switches, const AddCore& add_core);
+
+    const std::string& name() const { return robot_.name; }
+    const std::string& dialect() const { return robot_.dialect; }
+    const FindProgram& find_program() const { return robot_.find_program; }
+    const FindProgram& find_module() const { return robot_.find_module; }
+    Interpreter& interpreter() { return interpreter_; }
+    simulation::Simulator& simulator() { return robot_.simulator; }
+    const rrs::CartPos& base() const { return robot_.base; }
+    /// Time in which the robot has waited for others.
+    double idle_s() const { return idle_s_; }
+    void add_idle(double seconds) { idle_s_ += seconds; }
+
+    /// What its scripts see.
+    void push_environment(lua_State* state) const;
+    /// What the library gives to run programs by, under this name: what lua_lib/init.lua returns.
+    void push_library(lua_State* state, const char* name) const;
+    /// All that filters of the path hold back goes to the machine.
+    void flush(lua_State* state) const;
+
+  private:
+    std::string prefix() const;
+    void set_options(lua_State* state, const Switches& switches) const;
+    void seal(lua_State* state);
+    void push_module(lua_State* state, const std::string& name);
+    void load_module(lua_State* state, const std::string& name);
+    static int use_module(lua_State* state);
+    static int loading_module(lua_State* state);
+
+    Robot robot_;
+    Interpreter interpreter_;
+    const Library* files_ = nullptr;
+    double idle_s_ = 0;
+    int environment_ = LUA_NOREF;       ///< What scripts see.
+    int library_ = LUA_NOREF;           ///< What the library's files see.
+    int modules_ = LUA_NOREF;           ///< What each file of the library has returned, by its name.
+    std::vector<std::string> loading_;  ///< Files that have begun to load, each needed by the one before.
+};
+
+/// Compiles a text and gives it the environment on top of the stack, in whose place the function is left; or
+/// raises.
+void load_text(lua_State* state, const std::string& text, const char* name);
+
+}  // namespace gsim::script

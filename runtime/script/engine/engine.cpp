@@ -1,0 +1,249 @@
+#include "runtime/script/engine/engine.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "runtime/script/bindings/bindings.h"
+#include "runtime/script/lua/data_tables.h"
+#include "runtime/script/lua/sandbox.h"
+
+namespace gsim::script {
+
+using text::DiagnosticKind;
+
+using simulation::Place;
+
+namespace {
+
+std::vector<Robot> only_robot(simulation::Simulator& simulator, const Engine::Options& options) {
+    std::vector<Robot> robots;
+    robots.push_back({.name = "",
+                      .simulator = simulator,
+                      .dialect = options.dialect,
+                      .codes = options.codes,
+                      .unit_mm = options.unit_mm,
+                      .data = options.data,
+                      .find_program = options.find_program,
+                      .find_module = options.find_module});
+    return robots;
+}
+
+std::vector<std::unique_ptr<Control>> make_controls(std::vector<Robot> robots, PlaceFinder& places) {
+    std::vector<std::unique_ptr<Control>> controls;
+    controls.reserve(robots.size());
+    for (Robot& robot : robots) controls.push_back(std::make_unique<Control>(std::move(robot), places));
+    return controls;
+}
+
+std::vector<Control*> pointers(const std::vector<std::unique_ptr<Control>>& controls) {
+    std::vector<Control*> list;
+    list.reserve(controls.size());
+    for (const std::unique_ptr<Control>& control : controls) list.push_back(control.get());
+    return list;
+}
+
+}  // namespace
+
+Engine::Engine(simulation::Simulator& simulator, const Options& options)
+    : Engine(only_robot(simulator, options), {}, options) {}
+
+Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options)
+    : options_(std::move(options)),
+      controls_(make_controls(std::move(robots), places_)),
+      lua_(options_.limits),
+      processes_(lua_, places_, pointers(controls_), std::move(conveyors)) {
+    processes_.share_zones(options_.zones);
+    if (options_.robots_watch != nullptr) processes_.watch_robots(*options_.robots_watch);
+    lua_.on_last_step([this](lua_State* state) { last_step_place_ = places_.current(state, 0); });
+    const int status = call_protected([](Engine& engine) { engine.open_controls(); });
+    if (!judge(status, lua_.get(), *controls_.front())) {
+        throw std::runtime_error("the library in Lua cannot be loaded: " +
+                                 controls_.front()->simulator().alarm()->message);
+    }
+}
+
+/// Runs `work` where errors of Lua are caught; the status is that of lua_pcall.
+int Engine::call_protected(void (*work)(Engine&)) {
+    lua_State* state = lua_.get();
+    work_ = work;
+    lua_settop(state, 0);
+    lua_pushlightuserdata(state, this);
+    lua_pushcclosure(state, handle_error, 1);
+    lua_pushlightuserdata(state, this);
+    lua_pushcclosure(state, trampoline<do_work>, 1);
+    return lua_pcall(state, 0, 0, 1);
+}
+
+int Engine::do_work(lua_State* state) {
+    auto& engine = bound<Engine>(state);
+    engine.work_(engine);
+    return 0;
+}
+
+void Engine::open_controls() {
+    lua_State* state = lua_.get();
+    make_nil_vacant(state);
+    const Control::Switches switches{options_.block_delete, options_.optional_stop, options_.passes};
+    lua_gc(state, LUA_GCSTOP);  // nearly all that the library makes stays
+    for (const std::unique_ptr<Control>& control : controls_) {
+        control->open(state, options_.library, switches,
+                      [this](lua_State* at, Control& of) { add_core_functions(at, of); });
+    }
+    lua_gc(state, LUA_GCRESTART);
+}
+
+/// What the library of a control asks of the engine.
+void Engine::add_core_functions(lua_State* state, Control& control) {
+    const auto set = [&](const char* name, lua_CFunction function) {
+        lua_pushlightuserdata(state, this);
+        lua_pushlightuserdata(state, &control);
+        lua_pushcclosure(state, function, 2);
+        lua_setfield(state, -2, name);
+    };
+    set("load_program", trampoline<load_program>);
+    set("load_module", trampoline<load_module>);
+    set("run_to_end", trampoline<run_to_end>);
+    add_processes(state, processes_, control);
+}
+
+// --- Running ---
+
+bool Engine::run(Script script) {
+    lua_.end_by(options_.cpu);
+    pending_.push_back(std::move(script));
+    if (options_.setup) pending_.push_back(std::move(*options_.setup));
+    return judge_processes(call_protected([](Engine& engine) { engine.run_processes(); }));
+}
+
+/// The main process is the library's, to which next_script gives the scripts.
+void Engine::run_processes() {
+    lua_State* state = lua_.get();
+    controls_.front()->push_library(state, "main_process");
+    lua_pushlightuserdata(state, this);
+    lua_pushcclosure(state, trampoline<next_script>, 1);
+    lua_call(state, 1, 1);
+    outcome_ = processes_.run(state);
+}
+
+/// The next script, as a function that registers its functions and runs its other statements; else nothing.
+int Engine::next_script(lua_State* state) {
+    auto& engine = bound<Engine>(state);
+    if (engine.pending_.empty()) return 0;
+    Script script = std::move(engine.pending_.back());
+    engine.pending_.pop_back();
+    engine.push_script(state, engine.keep_script(state, std::move(script), *engine.controls_.front()));
+    return 1;
+}
+
+tl::expected<std::map<int, double>, std::string> Engine::permanent_variables() {
+    permanent_.clear();
+    return read_kept([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
+}
+
+tl::expected<machine::MachineData, std::string> Engine::machine_data() {
+    stored_ = options_.data;
+    return read_kept([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
+}
+
+/// A run that has used up its steps or its time has none left for this: they count anew, or no longer.
+tl::expected<void, std::string> Engine::read_kept(void (*read)(Engine&)) {
+    lua_.restart_steps();
+    lua_.end_by(nullptr);
+    error_.clear();
+    if (call_protected(read) == LUA_OK) return {};
+    return tl::unexpected(fmt::format("what the control keeps cannot be read: {}",
+                                      error_.empty() ? "the script has used up its memory" : error_));
+}
+
+void Engine::read_permanent() {
+    lua_State* state = lua_.get();
+    controls_.front()->push_library(state, "permanent_variables");
+    lua_call(state, 0, 1);
+    lua_pushnil(state);
+    while (lua_next(state, -2) != 0) {
+        permanent_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
+        lua_pop(state, 1);
+    }
+    lua_pop(state, 1);
+}
+
+void Engine::report(simulation::Report& report) const {
+    if (!processes_.several() && controls_.size() == 1) return;
+    report.processes = processes_.summaries();
+    report.signals = processes_.signals().changes();
+    if (const std::uint64_t dropped = processes_.signals().dropped(); dropped > 0)
+        report.warnings.push_back(
+            fmt::format("{} more changes of signals than the report lists were left out", dropped));
+    report.zone_uses = processes_.zones().uses();
+    if (const std::uint64_t dropped = processes_.zones().dropped(); dropped > 0)
+        report.warnings.push_back(
+            fmt::format("{} more uses of zones than the report lists were left out", dropped));
+}
+
+void Engine::read_stored() {
+    lua_State* state = lua_.get();
+    controls_.front()->push_library(state, "stored_data");
+    lua_call(state, 0, 1);
+    read_data_tables(state, stored_);
+    lua_pop(state, 1);
+}
+
+// --- Errors ---
+
+/// Notes what went wrong and where, while the stack still stands. The error is at `index`, and `level` levels
+/// up is what raised it.
+void Engine::note_error(lua_State* state, int index, int level) {
+    const char* text = lua_tostring(state, index);
+    error_ = text != nullptr ? text
+                             : fmt::format("an error that is no text but a {}", luaL_typename(state, index));
+    error_place_ = places_.strip(error_);
+    if (error_place_.line == 0) error_place_ = places_.current(state, level);
+}
+
+int Engine::handle_error(lua_State* state) {
+    if (!LuaState::is_stop(state, 1)) bound<Engine>(state).note_error(state, 1, 1);
+    return 1;
+}
+
+/// What the end of the processes means for the run.
+bool Engine::judge_processes(int status) {
+    Control& first = *controls_.front();
+    if (status != LUA_OK) return judge(status, lua_.get(), first);
+    Processes::Outcome& outcome = *outcome_;
+    if (outcome.end == Processes::End::error) {
+        if (!LuaState::is_stop(outcome.fault, -1)) note_error(outcome.fault, -1, 0);
+        judge(outcome.status, outcome.fault, *outcome.control);
+    }
+    if (outcome.end == Processes::End::deadlock)
+        outcome.control->simulator().fail(DiagnosticKind::script, std::move(outcome.message), outcome.place);
+    return std::none_of(controls_.begin(), controls_.end(), [](const std::unique_ptr<Control>& control) {
+        return control->simulator().alarm().has_value();
+    });
+}
+
+/// What the end of a protected call means for the run; the error is on top of the stack.
+bool Engine::judge(int status, lua_State* state, Control& control) {
+    simulation::Simulator& simulator = control.simulator();
+    if (status == LUA_OK) return !simulator.alarm();
+    const Place place = control.interpreter().place();
+    if (status == LUA_ERRMEM || lua_.ended() == LuaState::Ended::memory) {
+        return simulator.stop(DiagnosticKind::run_limit, lua_.memory_refusal(), place);
+    }
+    if (lua_.ended() == LuaState::Ended::steps) {
+        return simulator.stop(
+            DiagnosticKind::run_limit,
+            fmt::format(
+                "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
+                lua_.limits().steps),
+            last_step_place_.line > 0 ? last_step_place_ : place);
+    }
+    if (lua_.ended() == LuaState::Ended::cpu)
+        return simulator.has_cpu_time(last_step_place_.line > 0 ? last_step_place_ : place);
+    if (LuaState::is_stop(state, -1)) return !simulator.alarm();
+    return simulator.fail(DiagnosticKind::script,
+                          error_.empty() ? "an error in the handling of an error" : error_, error_place_);
+}
+
+}  // namespace gsim::script

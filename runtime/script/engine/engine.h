@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "machine/data/machine_data.h"
+#include "runtime/script/engine/control.h"
+#include "runtime/script/lua/library.h"
+#include "runtime/script/lua/lua_state.h"
+#include "runtime/script/lua/place_finder.h"
+#include "runtime/script/lua/script.h"
+#include "runtime/script/processes/processes.h"
+#include "runtime/simulator/simulator.h"
+
+namespace gsim::script {
+
+/// Runs one script on one or several simulators: the Lua state, a control for each, the processes, and what
+/// joins them.
+class Engine {
+  public:
+    struct Options {
+        LuaState::Limits limits;
+        os::CpuLimit* cpu = nullptr;  ///< Of the whole run; null: none. It outlives the engine.
+        Library library;
+        machine::MachineData data;  ///< Of the only robot, as
+        FindProgram find_program;   ///< this is
+        FindProgram find_module;
+        std::optional<Script>
+            setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
+        std::string dialect = "ab9";  ///< and this,
+        std::vector<CodeRow> codes;   ///< with what its table says,
+        double unit_mm = 1;           ///< and the unit of programs when the run begins: 1 or 25.4.
+        bool block_delete = false;
+        bool optional_stop = false;
+        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start (M99); at least 1.
+        std::function<void(std::uint64_t done, std::uint64_t total)> progress;
+        simulation::RobotsWatch* robots_watch = nullptr;  ///< Of several robots; it outlives the engine.
+        std::vector<process::SharedZone> zones;           ///< That processes share.
+    };
+
+    /// Loads the library. Throws std::runtime_error with a sentence where that cannot be done.
+    Engine(simulation::Simulator& simulator, const Options& options);
+    /// For several robots, at least one: the script has the words of the first one.
+    Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options);
+
+    /// Runs to the end, to an alarm or to a limit; what happened is the simulators' to tell. False where
+    /// there was an alarm or a limit.
+    bool run(Script script);
+    /// The variables that a control keeps from one run to the next, as they are now. The error is a sentence:
+    /// a run that ended for its memory may leave too little to read them.
+    tl::expected<std::map<int, double>, std::string> permanent_variables();
+    /// The machine data as the control holds them now: work coordinate systems, tools and variables may
+    /// differ from those of the start. The error is as above.
+    tl::expected<machine::MachineData, std::string> machine_data();
+    /// Adds what is to be told of processes, where there were any but the main one, or several robots.
+    void report(simulation::Report& report) const;
+    /// Time in which a robot, by its number from 0, waited for others.
+    double idle_s(std::size_t robot) const { return controls_[robot]->idle_s(); }
+
+  private:
+    static constexpr const char* kTextOfScript = "the text of the script";
+
+    struct BodyWalk;
+    struct Loaded {
+        Script script;
+        Control* control = nullptr;  ///< Whose words it has.
+        std::uint32_t file = 0;
+        std::map<std::uint64_t, std::uint32_t> texts;  ///< Numbers for places, by where the text begins.
+        std::map<std::size_t, int> compiled;           ///< By function: what its only chunk became.
+    };
+
+    int call_protected(void (*work)(Engine&));
+    void open_controls();
+    void add_core_functions(lua_State* state, Control& control);
+    void run_processes();
+    bool judge(int status, lua_State* state, Control& control);
+    bool judge_processes(int status);
+    tl::expected<void, std::string> read_kept(void (*read)(Engine&));
+    void read_permanent();
+    void read_stored();
+    Loaded& keep_script(lua_State* state, Script script, Control& control);
+    void push_script(lua_State* state, Loaded& loaded);
+    void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
+    std::uint32_t text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line);
+    void note_error(lua_State* state, int index, int level);
+    int run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled);
+    int run_body(lua_State* state, BodyWalk& walk);
+    void run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk);
+
+    static int do_work(lua_State* state);
+    static int handle_error(lua_State* state);
+    static int next_script(lua_State* state);
+    static int register_functions(lua_State* state);
+    static int function_body(lua_State* state);
+    static int go_on_with_body(lua_State* state, int status, lua_KContext);
+    static int load_program(lua_State* state);
+    static int load_module(lua_State* state);
+    static int run_to_end(lua_State* state);
+    static int finish_run(lua_State* state, int status, lua_KContext context);
+
+    Options options_;
+    PlaceFinder places_;
+    std::vector<std::unique_ptr<Control>> controls_;
+    LuaState lua_;
+    Processes processes_;
+    void (*work_)(Engine&) = nullptr;
+    std::vector<std::unique_ptr<Loaded>> loaded_;
+    std::map<std::pair<const Control*, std::string>, Loaded*> programs_;  ///< Of files that were called.
+    std::vector<Script> pending_;                                         ///< The last one is loaded first.
+    std::optional<Processes::Outcome> outcome_;
+    std::map<int, double> permanent_;
+    machine::MachineData stored_;
+    std::string error_;
+    simulation::Place error_place_;
+    simulation::Place last_step_place_;  ///< Where a limit of steps was reached.
+};
+
+}  // namespace gsim::script

@@ -1,0 +1,251 @@
+#include "runtime/script/lua/lua_state.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace gsim::script {
+
+namespace {
+
+constexpr std::size_t kBytesPerStep = 64;
+/// Of the longest string: what an instruction may look at and still count as one.
+constexpr std::uint64_t kBytesOfOneStep = std::uint64_t{64} << 10U;
+
+/// Its address is the value of an error that no script can make or tell from another.
+char stop_mark = 0;
+
+constexpr const char* kScript = "the script";
+constexpr const char* kOneString = "a string of the script";
+
+std::string megabytes(std::size_t bytes) {
+    constexpr double kMegabyte = 1U << 20U;
+    constexpr std::size_t kSmall = std::size_t{100} << 10U;
+    return bytes < kSmall ? fmt::format("{} bytes", bytes)
+                          : fmt::format("{:.1f} MB", static_cast<double>(bytes) / kMegabyte);
+}
+
+}  // namespace
+
+LuaState::LuaState(Limits limits) : limits_(limits) {
+    state_ = lua_newstate(allocate, this);
+    if (state_ == nullptr) throw std::bad_alloc();
+    *static_cast<LuaState**>(lua_getextraspace(state_)) = this;
+    running_ = state_;
+    set_hook(state_, kStepsBetweenCounts);
+}
+
+LuaState::~LuaState() {
+    lua_close(state_);
+}
+
+LuaState& LuaState::of(lua_State* state) {
+    return **static_cast<LuaState**>(lua_getextraspace(state));
+}
+
+/// As realloc() does, with sizes above 0.
+void* LuaState::resize(void* block, std::size_t held, std::size_t new_size) {
+    if (held > SmallBlocks::kLargest && new_size > SmallBlocks::kLargest)
+        return std::realloc(block, new_size);
+    if (SmallBlocks::same_class(held, new_size)) return block;
+    const bool small = new_size <= SmallBlocks::kLargest;
+    void* const grown = small ? small_blocks_.take(new_size) : std::malloc(new_size);
+    if (grown == nullptr || block == nullptr) return grown;
+    std::memcpy(grown, block, std::min(held, new_size));
+    release(block, held);
+    return grown;
+}
+
+void LuaState::release(void* block, std::size_t held) {
+    if (block == nullptr) return;
+    if (held <= SmallBlocks::kLargest) {
+        small_blocks_.give(block, held);
+    } else {
+        std::free(block);
+    }
+}
+
+void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
+    auto& state = *static_cast<LuaState*>(self);
+    const std::size_t held = block == nullptr ? 0 : old_size;
+    if (new_size == 0) {
+        state.release(block, held);
+        state.bytes_ -= held;
+        return nullptr;
+    }
+    const bool one_string = block == nullptr && old_size == LUA_TSTRING;
+    const auto refuse = [&](bool by_system) {
+        return state.refuse({one_string ? kOneString : kScript, new_size - held, state.bytes_, by_system});
+    };
+    if (new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes)
+        return refuse(false);
+    state.count_work(new_size);
+    void* grown = state.resize(block, held, new_size);
+    if (grown == nullptr) return refuse(true);
+    state.refused_ = false;
+    if (block == nullptr && old_size == LUA_TTABLE) state.number_table(grown, new_size);
+    if (one_string && new_size > kBytesOfOneStep) state.note_large(new_size);
+    state.bytes_ += new_size - held;
+    return grown;
+}
+
+/// Lua says what it makes an object for. Its number goes behind the object, where a small block has room.
+void LuaState::number_table(void* table, std::size_t size) {
+    if (SmallBlocks::spare_bytes(size) < sizeof tables_) return;
+    ++tables_;
+    table_bytes_ = size;
+    std::memcpy(static_cast<std::byte*>(table) + size, &tables_, sizeof tables_);
+}
+
+std::uint64_t LuaState::serial_of_table(const void* table) const {
+    std::uint64_t serial = 0;
+    if (table_bytes_ > 0)
+        std::memcpy(&serial, static_cast<const std::byte*>(table) + table_bytes_, sizeof serial);
+    return serial;
+}
+
+std::nullptr_t LuaState::refuse(const Refusal& refusal) {
+    refused_ = true;
+    refusal_ = refusal;
+    if (const char* most = holder_of_most(); most != nullptr && refusal.asked_bytes < bytes_ / 2)
+        refusal_.what = most;
+    return nullptr;
+}
+
+void LuaState::hold(lua_State* state, std::size_t bytes, const char* what) {
+    const auto is_too_much = [&] {
+        return bytes > limits_.memory_bytes || bytes_ > limits_.memory_bytes - bytes;
+    };
+    if (is_too_much()) lua_gc(state, LUA_GCCOLLECT);
+    if (is_too_much()) {
+        refuse({what, bytes, bytes_, false});
+        ended_ = Ended::memory;
+        raise_stop(state);
+    }
+    held_for(what) += bytes;
+    bytes_ += bytes;
+}
+
+void LuaState::give_back(std::size_t bytes, const char* what) {
+    held_for(what) -= bytes;
+    bytes_ -= bytes;
+}
+
+std::size_t& LuaState::held_for(const char* what) {
+    const auto found = std::find_if(held_.begin(), held_.end(),
+                                    [what](const Held& held) { return std::string_view(held.what) == what; });
+    return found != held_.end() ? found->bytes : held_.emplace_back(Held{what, 0}).bytes;
+}
+
+/// What more than half of the memory is kept for outside of Lua, which then is what needs too much, whoever
+/// asks for the last of it; or null.
+const char* LuaState::holder_of_most() const {
+    for (const Held& held : held_) {
+        if (held.bytes > bytes_ / 2) return held.what;
+    }
+    return nullptr;
+}
+
+std::string LuaState::memory_refusal() const {
+    const std::string amounts = fmt::format("{} are in use, and it asks for {}",
+                                            megabytes(refusal_.held_bytes), megabytes(refusal_.asked_bytes));
+    if (refusal_.by_system)
+        return fmt::format("{} needs more memory than the system gives: {}", refusal_.what, amounts);
+    return fmt::format("{} needs more memory than the run may use, {} MB (--memory): {}", refusal_.what,
+                       limits_.memory_bytes >> 20U, amounts);
+}
+
+void LuaState::count_work(std::uint64_t bytes) {
+    steps_ += bytes / kBytesPerStep;
+    // Past the limit the very next instruction shall look at it.
+    if (steps_ > limits_.steps && running_ != nullptr) set_hook(running_, 1);
+}
+
+void LuaState::charge(lua_State* state, std::uint64_t bytes) {
+    steps_ += bytes / kBytesPerStep;
+    check_limits(state);
+}
+
+void LuaState::note_large(std::uint64_t bytes) {
+    const std::uint64_t weight = std::max<std::uint64_t>(1, bytes / kBytesOfOneStep);
+    if (weight <= weight_) return;
+    weight_ = weight;
+    if (running_ != nullptr) set_hook(running_, steps_between_counts());
+}
+
+int LuaState::steps_between_counts() const {
+    return std::max(1, static_cast<int>(kStepsBetweenCounts / weight_));
+}
+
+void LuaState::set_running(lua_State* thread) {
+    running_ = thread;
+    if (lua_gethookcount(thread) > steps_between_counts()) set_hook(thread, steps_between_counts());
+}
+
+/// Lines stay watched where they are. Threads get the hook of the main one when they are made.
+void LuaState::set_hook(lua_State* thread, int steps) {
+    lua_sethook(thread, on_hook, LUA_MASKCOUNT | (lua_gethookmask(thread) & LUA_MASKLINE), steps);
+}
+
+void LuaState::watch_lines(lua_State* thread, bool on) const {
+    lua_sethook(thread, on_hook, on ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, steps_between_counts());
+}
+
+void LuaState::on_hook(lua_State* state, lua_Debug* event) {
+    LuaState& self = of(state);
+    if (event->event == LUA_HOOKLINE) {
+        self.on_line_(state, event);
+    } else {
+        self.count_steps(state);
+    }
+}
+
+void LuaState::count_steps(lua_State* state) {
+    const int count = lua_gethookcount(state);
+    steps_ += static_cast<std::uint64_t>(count) * weight_;
+    check_limits(state);
+    if (count != steps_between_counts()) set_hook(state, steps_between_counts());
+}
+
+void LuaState::check_limits(lua_State* state) {
+    unchecked_ = 0;
+    if (steps_ > limits_.steps) end_for(Ended::steps, state);
+    if (cpu_ != nullptr && cpu_->reached()) end_for(Ended::cpu, state);
+}
+
+std::string LuaState::printed(std::string line) {
+    if (printed_bytes_ > kMostPrinted_bytes) return {};
+    printed_bytes_ += line.size();
+    if (printed_bytes_ <= kMostPrinted_bytes) return line;
+    return fmt::format("the script has printed {} MB; what it prints from here on is left out\n",
+                       kMostPrinted_bytes >> 20U);
+}
+
+void LuaState::end_for(Ended reason, lua_State* state) {
+    ended_ = reason;
+    if (on_last_step_) on_last_step_(state);
+    raise_stop(state);
+}
+
+void LuaState::raise_stop(lua_State* state) {
+    lua_pushlightuserdata(state, &stop_mark);
+    lua_error(state);
+    std::abort();  // lua_error does not return
+}
+
+bool LuaState::is_stop(lua_State* state, int index) {
+    return lua_touserdata(state, index) == &stop_mark;
+}
+
+void LuaState::pass_on(lua_State* state, int status) {
+    LuaState& self = of(state);
+    // Lua's string functions raise a lack of memory as an ordinary error.
+    if (status == LUA_ERRMEM || self.refused_) self.ended_ = Ended::memory;
+    if (self.ended_ == Ended::memory || is_stop(state, -1)) raise_stop(state);
+}
+
+}  // namespace gsim::script

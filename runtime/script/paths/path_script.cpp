@@ -1,0 +1,287 @@
+#include "runtime/script/paths/path_script.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "runtime/script/lua/object_names.h"
+#include "runtime/script/lua/sandbox.h"
+#include "runtime/script/paths/path_values.h"
+#include "toolpath/model/validate.h"
+
+namespace gsim::script {
+
+namespace {
+
+using path::PathFile;
+using path::PathKey;
+using path::TargetDraft;
+using path::TargetKey;
+using path_values::check;
+using path_values::kFrameKeys;
+using path_values::kSetUpKeys;
+using path_values::raise;
+using path_values::read_set_up;
+using path_values::text_at;
+
+/// What the constructors hand to the script; no script can make one itself.
+struct Handle {
+    enum class Kind { point, path, repeated } kind = Kind::point;
+    std::size_t index = 0;  ///< In Builder::points, or of the path.
+    int repeats = 1;
+    std::optional<std::size_t> frame = {};  ///< In Builder::frames.
+};
+
+constexpr const char* kPoints = "the path of the script";
+
+/// What the script has made so far.
+struct Builder {
+    struct MadePoint {
+        path::Target point;  ///< No sub-path.
+        path::Place place;
+    };
+    PathFile file;
+    std::vector<MadePoint> points;
+    std::vector<path::WorkFrame> frames;  // of uses of paths
+    std::uint32_t last_line = 1;          ///< Where a limit was reached.
+};
+
+void push(lua_State* state, const Handle& handle) {
+    *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = handle;
+}
+
+/// Null where the value is something else.
+const Handle* handle_at(lua_State* state, int index) {
+    if (lua_type(state, index) != LUA_TUSERDATA || lua_rawlen(state, index) != sizeof(Handle)) return nullptr;
+    return static_cast<const Handle*>(lua_touserdata(state, index));
+}
+
+/// About what a point takes, with its place.
+std::size_t bytes_of(const path::Target& target) {
+    constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
+    std::size_t bytes = sizeof(path::Target) + sizeof(path::Place);
+    for (const std::string& action : path::actions_of(target)) bytes += sizeof(std::string) + action.size();
+    if (const auto* place = std::get_if<path::MachinePoint>(&target))
+        return bytes + place->name.size() + place->called.size();
+    const auto& point = std::get<path::Point>(target);
+    bytes += point.name.size();
+    if (point.orientation) {
+        if (const auto* axes = std::get_if<path::RotaryAxes>(&*point.orientation))
+            bytes += axes->size() * kBytesOfLetter;
+    }
+    return bytes;
+}
+
+std::size_t bytes_of(const path::WorkFrame& frame) {
+    return sizeof(frame) + frame.touches.size() * sizeof(path::Touch);
+}
+
+/// Where the function is, `level` levels up, or if that is none of Lua the one that calls it.
+path::Place calling_place(lua_State* state, int level = 1) {
+    lua_Debug caller{};
+    do {
+        if (lua_getstack(state, level++, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
+    } while (caller.currentline < 0);
+    return {static_cast<std::uint32_t>(std::max(1, caller.currentline)), 0};
+}
+
+constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
+
+/// Of several unknown keys of the table at 1 the first one by its letters is told.
+void check_point_keys(lua_State* state) {
+    std::optional<std::string_view> unknown;
+    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
+        if (std::find(kPointKeys.begin(), kPointKeys.end(), name) != kPointKeys.end()) continue;
+        if (!unknown || name < *unknown) unknown = name;
+    }
+    if (unknown) raise(state, path::unknown_key(*unknown, "a point", kPointKeys));
+}
+
+/// point{position_mm = {..}, ..}
+int make_point(lua_State* state) {
+    auto& builder = bound<Builder>(state);
+    luaL_checktype(state, 1, LUA_TTABLE);
+    check_point_keys(state);
+    TargetDraft draft;
+    for (std::size_t i = 0; i < kPointKeys.size(); ++i) {
+        lua_pushlstring(state, kPointKeys[i].data(), kPointKeys[i].size());
+        if (lua_rawget(state, 1) != LUA_TNIL) {
+            const auto key = static_cast<TargetKey>(i);
+            draft.mark(key);
+            path_values::read_value(state, draft, key);
+        }
+        lua_pop(state, 1);
+    }
+    tl::expected<path::Target, std::string> target = draft.finish();
+    if (!target) raise(state, target.error());
+    LuaState::of(state).hold(state, bytes_of(*target), kPoints);
+    builder.points.push_back({*std::move(target), calling_place(state)});
+    push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
+    return 1;
+}
+
+/// The third argument of repeated(): what the path is used in.
+std::optional<std::size_t> read_frame(lua_State* state) {
+    if (lua_isnoneornil(state, 3)) return std::nullopt;
+    luaL_checktype(state, 3, LUA_TTABLE);
+    for (lua_pushnil(state); lua_next(state, 3) != 0; lua_pop(state, 1)) {
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
+        if (std::find(kFrameKeys.begin(), kFrameKeys.end(), name) == kFrameKeys.end())
+            raise(state, path::unknown_key(name, "a use of a path", kFrameKeys));
+    }
+    auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
+    if (!frame) raise(state, frame.error());
+    auto& frames = bound<Builder>(state).frames;
+    LuaState::of(state).hold(state, 2 * bytes_of(*frame), kPoints);
+    frames.push_back(*std::move(frame));
+    return frames.size() - 1;
+}
+
+/// repeated(n, path, {work_offset = ".."})
+int make_repeated(lua_State* state) {
+    const Handle* handle = handle_at(state, 2);
+    if (handle == nullptr || handle->kind != Handle::Kind::path) {
+        raise(state, "repeated(n, p) takes a number and what path{..} made");
+    }
+    constexpr lua_Integer kMost = 1'000'000'000;
+    const lua_Integer count = luaL_checkinteger(state, 1);
+    if (count < 1 || count > kMost) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
+    const std::size_t path = handle->index;
+    push(state, {Handle::Kind::repeated, path, static_cast<int>(count), read_frame(state)});
+    return 1;
+}
+
+void check_path_keys(lua_State* state) {
+    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) == LUA_TNUMBER) continue;
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view();
+        const bool is_known = name == path::name_of(PathKey::name) ||
+                              std::find(kSetUpKeys.begin(), kSetUpKeys.end(), name) != kSetUpKeys.end();
+        if (!is_known)
+            raise(state,
+                  fmt::format("path{{..}} takes 'name', '{}' and, in their order, points and sub-paths",
+                              text::joined(kSetUpKeys, "', '")));
+    }
+}
+
+/// path{name = "..", targets..}
+int make_path(lua_State* state) {
+    auto& builder = bound<Builder>(state);
+    luaL_checktype(state, 1, LUA_TTABLE);
+    check_path_keys(state);
+    path::Path made;
+    if (lua_getfield(state, 1, "name") != LUA_TSTRING) raise(state, "a path lacks 'name', a string");
+    made.name = text_at(state, -1);
+    check(state, read_set_up(state, 1, kSetUpKeys.size()).finish(made));
+    const auto count = static_cast<lua_Integer>(lua_rawlen(state, 1));
+    std::vector<path::Place> places;
+    const path::Place here = calling_place(state);
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(state, 1, i);
+        const Handle* handle = handle_at(state, -1);
+        if (handle == nullptr) {
+            raise(state,
+                  fmt::format("target {} of the path '{}' is neither a point nor a path", i, made.name));
+        }
+        if (handle->kind == Handle::Kind::point) {
+            // The vector may have grown to twice what it needs.
+            LuaState::of(state).hold(state, 2 * bytes_of(builder.points[handle->index].point), kPoints);
+            made.targets.emplace_back(builder.points[handle->index].point);
+            places.push_back(builder.points[handle->index].place);
+        } else {
+            LuaState::of(state).hold(state, 2 * sizeof(path::Target), kPoints);
+            const path::WorkFrame frame = handle->frame ? builder.frames[*handle->frame] : path::WorkFrame();
+            LuaState::of(state).hold(state, bytes_of(frame), kPoints);
+            made.targets.emplace_back(path::SubPath{handle->index, handle->repeats, frame});
+            places.push_back(here);
+        }
+        lua_pop(state, 1);
+    }
+    builder.file.program.paths.push_back(std::move(made));
+    builder.file.paths.push_back(here);
+    builder.file.targets.push_back(std::move(places));
+    push(state, {Handle::Kind::path, builder.file.program.paths.size() - 1, 1});
+    return 1;
+}
+
+std::string ended_by(const LuaState& lua, const Builder& builder, os::CpuLimit* cpu) {
+    std::string reason = "the script takes more steps than it may";
+    if (lua.ended() == LuaState::Ended::memory) reason = lua.memory_refusal();
+    if (lua.ended() == LuaState::Ended::cpu)
+        reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
+                             cpu->seconds());
+    return fmt::format("{}:{}: {}", builder.file.file_name, builder.last_line, reason);
+}
+
+struct PathTask {
+    std::string_view text;
+    Builder& builder;
+    os::CpuLimit* cpu;
+};
+
+// Gets the PathTask; gives what its script returns.
+int run_path_task(lua_State* state) {
+    const PathTask& task = *static_cast<const PathTask*>(lua_touserdata(state, 1));
+    const std::string chunk = fmt::format("@{}", task.builder.file.file_name);
+    if (luaL_loadbufferx(state, task.text.data(), task.text.size(), chunk.c_str(), "t") != LUA_OK)
+        return lua_error(state);
+    push_safe_library(state);
+    set_function<make_point>(state, "point", &task.builder);
+    set_function<make_path>(state, "path", &task.builder);
+    set_function<make_repeated>(state, "repeated", &task.builder);
+    lua_setupvalue(state, -2, 1);
+    LuaState::of(state).end_by(task.cpu);
+    lua_call(state, 0, 1);
+    return 1;
+}
+
+// Leaves what the script returns on the stack. All that takes memory is behind lua_pcall(): a refusal in
+// front of it would end the program.
+tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
+                                    os::CpuLimit* cpu) {
+    lua_State* state = lua.get();
+    lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_place(at, 0).line; });
+    PathTask task{text, builder, cpu};
+    lua_pushcfunction(state, trampoline<run_path_task>);
+    lua_pushlightuserdata(state, &task);
+    if (lua_pcall(state, 1, 1, 0) == LUA_OK) return {};
+    if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
+        return tl::unexpected(ended_by(lua, builder, cpu));
+    }
+    std::string message(push_text(state, -1));
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return tl::unexpected(message);
+}
+
+}  // namespace
+
+tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::string file_name,
+                                                    const LuaState::Limits& limits, os::CpuLimit* cpu) {
+    LuaState lua(limits);
+    Builder builder;
+    builder.file.file_name = std::move(file_name);
+    if (auto done = run(lua, text, builder, cpu); !done) return tl::unexpected(done.error());
+    const Handle* root = handle_at(lua.get(), -1);
+    if (root == nullptr || root->kind != Handle::Kind::path) {
+        return tl::unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",
+                                          builder.file.file_name));
+    }
+    builder.file.program.root = root->index;
+    builder.file.program.name = builder.file.program.paths[root->index].name;
+    if (const auto fault = path::validate(builder.file.program)) {
+        return tl::unexpected(builder.file.located(fault->where, fault->sentence));
+    }
+    return std::move(builder.file);
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,281 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "base/text/nearest_name.h"
+#include "runtime/script/lua/choice.h"
+#include "runtime/script/processes/processes.h"
+
+// Functions of processes for the library in Lua. Those that wait for other processes yield: their last act is
+// to return what Processes returns.
+
+namespace gsim::script {
+
+using text::DiagnosticKind;
+
+namespace {
+
+using process::Value;
+using process::WaitKind;
+
+/// A node of a map, without the name.
+constexpr std::size_t kBytesOfSignal = 128;
+
+Processes& processes_of(lua_State* state) {
+    return bound<Processes>(state);
+}
+
+/// The control whose library calls.
+Control& control_of(lua_State* state) {
+    return *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
+}
+
+std::string check_name(lua_State* state, int index, const char* what) {
+    std::size_t size = 0;
+    const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &size) : nullptr;
+    if (text == nullptr || size == 0)
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  fmt::format("the name of a {} is a text that is not empty", what));
+    return {text, size};
+}
+
+Value check_value(lua_State* state, int index) {
+    if (lua_isboolean(state, index)) return lua_toboolean(state, index) != 0;
+    const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
+    if (!std::isfinite(number))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the value of a signal is true, false or a number that is finite");
+    return number;
+}
+
+void push_value(lua_State* state, const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        lua_pushnumber(state, *number);
+    } else {
+        lua_pushboolean(state, static_cast<int>(std::get<bool>(value)));
+    }
+}
+
+double check_seconds(lua_State* state, int index) {
+    const double seconds = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
+    if (!(seconds >= 0) || !std::isfinite(seconds))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "a wait takes 0 seconds or more, as a number");
+    return seconds;
+}
+
+template <typename Names>
+std::string hint(std::string_view name, const Names& names) {
+    if (const auto nearest = text::nearest_name(name, names))
+        return fmt::format("did you mean '{}'?", *nearest);
+    return names.empty() ? "a file of robots (--robots) has them"
+                         : fmt::format("there are: {}", text::joined(names, ", "));
+}
+
+/// join(): goes on when no process is behind.
+int join(lua_State* state) {
+    return processes_of(state).join(state);
+}
+
+/// rest(): the robot of the process comes to rest, and their clocks agree.
+int rest(lua_State* state) {
+    processes_of(state).rest(state);
+    return 0;
+}
+
+int wait_seconds(lua_State* state) {
+    return processes_of(state).wait(state, check_seconds(state, 1));
+}
+
+/// start(name, f, background)
+int start(lua_State* state) {
+    std::string name = check_name(state, 1, "process");
+    if (!lua_isfunction(state, 2))
+        processes_of(state).alarm(state, DiagnosticKind::process, "a process is a name and a function");
+    const bool background = lua_toboolean(state, 3) != 0;
+    lua_settop(state, 2);
+    processes_of(state).start(state, std::move(name), background);
+    return 0;
+}
+
+int signal(lua_State* state) {
+    const std::string name = check_name(state, 1, "signal");
+    const Value value = check_value(state, 2);
+    if (!processes_of(state).signals().has(name))
+        LuaState::of(state).hold(state, kBytesOfSignal + name.size(), "the signals of the script");
+    processes_of(state).set_signal(name, value);
+    return 0;
+}
+
+int value(lua_State* state) {
+    push_value(state, processes_of(state).value(check_name(state, 1, "signal")));
+    return 1;
+}
+
+/// wait_signal(name, how, value, seconds or nil); how is "on", "off", "equals", "rises", "falls" or "any".
+int wait_signal(lua_State* state) {
+    static const char* const kNames[] = {"on", "off", "equals", "rises", "falls", "any", nullptr};
+    process::Wait wait;
+    wait.kind = static_cast<WaitKind>(check_choice(state, 2, "on", kNames));
+    if (wait.kind != WaitKind::any_change) wait.signal = check_name(state, 1, "signal");
+    if (wait.kind == WaitKind::equals) wait.value = check_value(state, 3);
+    if (!lua_isnoneornil(state, 4)) wait.until_s = processes_of(state).time_s() + check_seconds(state, 4);
+    return processes_of(state).wait_signal(state, std::move(wait));
+}
+
+int on_signal(lua_State* state) {
+    const std::string name = check_name(state, 1, "signal");
+    lua_settop(state, 2);
+    if (!lua_isnil(state, 2) && !lua_isfunction(state, 2))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "on_signal takes the name of a signal and a function, or nil");
+    processes_of(state).on_signal(state, name);
+    return 0;
+}
+
+/// several(): whether there are processes besides the main one.
+int several(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(processes_of(state).several()));
+    return 1;
+}
+
+int robot(lua_State* state) {
+    const std::string name = check_name(state, 1, "robot");
+    const Control* found = processes_of(state).find_control(name);
+    if (found == nullptr) {
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("there is no robot '{}'; {}", name, hint(name, processes_of(state).control_names())));
+    }
+    found->push_environment(state);
+    return 1;
+}
+
+/// time(): the clock of the process.
+int process_time(lua_State* state) {
+    lua_pushnumber(state, processes_of(state).time_s());
+    return 1;
+}
+
+std::size_t check_zone(lua_State* state, int index) {
+    const std::string name = check_name(state, index, "zone");
+    const process::SharedZones& zones = processes_of(state).zones();
+    if (const auto found = zones.find(name)) return *found;
+    processes_of(state).alarm(state, DiagnosticKind::process,
+                              fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
+}
+
+/// enter_zone(name): goes on when the process has the zone.
+int enter_zone(lua_State* state) {
+    const std::size_t zone = check_zone(state, 1);
+    if (processes_of(state).has_zone(zone)) {
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("the process has the zone '{}' already", processes_of(state).zones().name(zone)));
+    }
+    return processes_of(state).enter_zone(state, zone);
+}
+
+int leave_zone(lua_State* state) {
+    const std::size_t zone = check_zone(state, 1);
+    if (!processes_of(state).has_zone(zone)) {
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("the process does not have the zone '{}'", processes_of(state).zones().name(zone)));
+    }
+    processes_of(state).leave_zone(zone);
+    return 0;
+}
+
+process::Conveyor& check_conveyor(lua_State* state, int index) {
+    const std::string name = check_name(state, index, "conveyor");
+    process::Conveyor* found = processes_of(state).find_conveyor(name);
+    if (found != nullptr) return *found;
+    std::vector<std::string_view> names;
+    names.reserve(processes_of(state).conveyors().size());
+    for (const process::Conveyor& conveyor : processes_of(state).conveyors())
+        names.push_back(conveyor.name());
+    processes_of(state).alarm(state, DiagnosticKind::process,
+                              fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
+}
+
+/// conveyor(name): raises an alarm where there is none.
+int conveyor(lua_State* state) {
+    check_conveyor(state, 1);
+    return 0;
+}
+
+/// conveyor_position(name): mm of travel at the time of the process.
+int conveyor_position(lua_State* state) {
+    lua_pushnumber(state, check_conveyor(state, 1).position_mm(processes_of(state).time_s()));
+    return 1;
+}
+
+/// conveyor_speed(name, mm_s)
+int conveyor_speed(lua_State* state) {
+    process::Conveyor& conveyor = check_conveyor(state, 1);
+    const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
+    if (!std::isfinite(speed_mm_s))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the speed of a conveyor is a number of mm/s");
+    processes_of(state).set_conveyor_speed(state, conveyor, speed_mm_s);
+    return 0;
+}
+
+/// conveyor_reaches(name, mm): seconds from now until it has travelled that far; nil where it does not.
+int conveyor_reaches(lua_State* state) {
+    const process::Conveyor& conveyor = check_conveyor(state, 1);
+    const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
+    if (!std::isfinite(position_mm))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the position of a conveyor is a number of mm");
+    const double now_s = processes_of(state).time_s();
+    const double then_s = conveyor.reaches_s(position_mm, now_s);
+    if (!std::isfinite(then_s)) return 0;
+    lua_pushnumber(state, then_s - now_s);
+    return 1;
+}
+
+/// track(name or nil)
+int track(lua_State* state) {
+    process::Conveyor* wanted = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
+    processes_of(state).track(state, control_of(state), wanted);
+    return 0;
+}
+
+constexpr luaL_Reg kProcessFunctions[] = {
+    {"join", trampoline<join>},
+    {"rest", trampoline<rest>},
+    {"wait", trampoline<wait_seconds>},
+    {"start", trampoline<start>},
+    {"signal", trampoline<signal>},
+    {"value", trampoline<value>},
+    {"wait_signal", trampoline<wait_signal>},
+    {"on_signal", trampoline<on_signal>},
+    {"several", trampoline<several>},
+    {"robot", trampoline<robot>},
+    {"time", trampoline<process_time>},
+    {"conveyor", trampoline<conveyor>},
+    {"conveyor_position", trampoline<conveyor_position>},
+    {"conveyor_speed", trampoline<conveyor_speed>},
+    {"conveyor_reaches", trampoline<conveyor_reaches>},
+    {"track", trampoline<track>},
+    {"enter_zone", trampoline<enter_zone>},
+    {"leave_zone", trampoline<leave_zone>},
+};
+
+}  // namespace
+
+void add_processes(lua_State* state, Processes& processes, Control& control) {
+    lua_newtable(state);
+    for (const luaL_Reg& function : kProcessFunctions) {
+        lua_pushlightuserdata(state, &processes);
+        lua_pushlightuserdata(state, &control);
+        lua_pushcclosure(state, function.func, 2);
+        lua_setfield(state, -2, function.name);
+    }
+    lua_setfield(state, -2, "processes");
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "controller/services/types.h"
+#include "runtime/report/report.h"
+
+namespace gsim::simulation {
+
+/// The calls of programs that have not ended: now, and when a target was given whose motion is yet to come.
+class OpenCalls {
+  public:
+    /// A program is called, or the one called last ends, before the target `next` is given.
+    void enter(OpenCall call, rrs::TargetId next);
+    void leave(rrs::TargetId next);
+    /// No one will ask for targets before this one.
+    void forget_before(rrs::TargetId id);
+
+    bool any() const { return innermost_ != nullptr; }
+    /// From the innermost to the first.
+    std::vector<OpenCall> now() const;
+    std::vector<OpenCall> at(rrs::TargetId id) const;
+
+  private:
+    struct Open {
+        OpenCall call;
+        std::shared_ptr<const Open> outer;
+    };
+    using Innermost = std::shared_ptr<const Open>;
+    struct Since {
+        rrs::TargetId from;
+        Innermost innermost;
+    };
+
+    void change(Innermost innermost, rrs::TargetId next);
+    static std::vector<OpenCall> list(const Open* innermost);
+
+    Innermost innermost_;
+    std::deque<Since> history_;  ///< In the order of their targets; none is open before the first one.
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,168 @@
+// How a run of Simulator ends before its program does.
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text/number.h"
+#include "runtime/simulator/simulator.h"
+
+namespace gsim::simulation {
+
+using rrs::Status;
+using text::DiagnosticKind;
+
+namespace {
+
+const char* unit(const machine::Axis& axis) {
+    return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
+}
+
+/// What a refusal of the planner is about.
+DiagnosticKind kind_of(Status status) {
+    switch (status) {
+        case Status::RRS_JOINT_LIMIT: return DiagnosticKind::axis_limit;
+        case Status::RRS_NO_SOLUTION: return DiagnosticKind::unreachable;
+        case Status::RRS_CIRCLE_IMPOSSIBLE: return DiagnosticKind::arc;
+        case Status::RRS_ZERO_SPEED: return DiagnosticKind::feed;
+        default: return DiagnosticKind::service;
+    }
+}
+
+std::string text_of(const ZoneHit& hit) {
+    std::string at;
+    std::string walls;
+    for (std::size_t i = 0; i < hit.limits.size(); ++i) {
+        const char letter = static_cast<char>('X' + i);
+        if (hit.tool_mm[i])
+            at += fmt::format("{}{}{}", at.empty() ? "" : " ", letter, text::fixed(*hit.tool_mm[i], 4));
+        if (!hit.limits[i]) continue;
+        walls += fmt::format("{}{} {:.10g} to {:.10g}", walls.empty() ? "" : ", ", letter,
+                             text::unsigned_zero(hit.limits[i]->min_mm),
+                             text::unsigned_zero(hit.limits[i]->max_mm));
+    }
+    const char* place = hit.stay_inside ? "inside" : "outside";
+    const std::string what =
+        hit.stands ? fmt::format("the tool is not {} {} when that comes into force", place, hit.zone)
+                   : fmt::format("the tool {} {} on axis {}", hit.stay_inside ? "leaves" : "enters", hit.zone,
+                                 static_cast<char>('X' + hit.axis));
+    return fmt::format(
+        "{}, at {} mm after {:.9g} s; the zone is {} mm (machine coordinates of the tool's end), and the "
+        "tool "
+        "must stay {} it",
+        what, at, hit.time_s, walls, place);
+}
+
+}  // namespace
+
+std::string cpu_limit_reached(const os::CpuLimit& limit) {
+    if (limit.was_asked()) return "the run was cancelled";
+    return fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
+                       limit.seconds());
+}
+
+bool Simulator::has_cpu_time(const Place& place) {
+    if (limits_.cpu == nullptr) return true;
+    if (const double beside_s = motion_->cpu_beside_s(); beside_s > 0) limits_.cpu->count_beside(beside_s);
+    if (!limits_.cpu->reached()) return true;
+    return stop(DiagnosticKind::run_limit, cpu_limit_reached(*limits_.cpu), place);
+}
+
+bool Simulator::stop_for_time(const Place& place) {
+    return stop(
+        DiagnosticKind::run_limit,
+        fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)", limits_.max_time_s),
+        place);
+}
+
+bool Simulator::fail(DiagnosticKind kind, std::string message, const Place& place) {
+    if (alarm_) return false;
+    status_ = RunStatus::alarm;
+    alarm_ = Alarm{};
+    alarm_->kind = kind;
+    alarm_->message = std::move(message);
+    alarm_->place = place;
+    alarm_->calls = calls_.now();
+    return false;
+}
+
+bool Simulator::stop(DiagnosticKind kind, std::string message, const Place& place) {
+    if (alarm_) return false;
+    fail(kind, std::move(message), place);
+    status_ = RunStatus::stopped;
+    return false;
+}
+
+void Simulator::warn_if_singular(const AxisVector& axes, const Place& place) {
+    const std::vector<int> joints = setup_.kinematics->lined_up(to_joints(axes));
+    if (joints.empty()) return;
+    std::string letters;
+    for (const int joint : joints) {
+        if (!letters.empty()) letters += " and ";
+        letters += machine_.axes[static_cast<std::size_t>(joint)].letter;
+    }
+    const std::string at = place.file < files_.size() && place.line > 0
+                               ? fmt::format("{}:{}: ", files_[place.file], place.line)
+                               : std::string();
+    warn(
+        fmt::format("{}the pose is singular: axes {} line up, and can turn against each other while the tool "
+                    "stands",
+                    at, letters));
+}
+
+void Simulator::watch_zones(const machine::MachineData& data) {
+    zones_.add_zones(data);
+    for (const char letter : zones_.missing_axes()) {
+        warn(fmt::format("the machine has no linear axis {}, and zones no walls there", letter));
+    }
+}
+
+/// A move that nobody expected has no place: the last one's stands for it.
+const Place& Simulator::place_of(const MoveInfo& move) const {
+    return move.place.line > 0 ? move.place : last_place_;
+}
+
+/// An alarm of a move under way: the machine comes there before it comes to what the program has read
+/// since, so that this alarm takes the place of another one.
+void Simulator::fail_under_way(const MoveInfo& move, DiagnosticKind kind, std::string message) {
+    alarm_.reset();
+    fail(kind, std::move(message), place_of(move));
+    alarm_->calls = calls_.at(move.target_id);
+}
+
+/// Nothing happens behind the limit of time.
+bool Simulator::fail_in_zone() {
+    const ZoneHit& hit = *zones_.hit();
+    if (hit.time_s > limits_.max_time_s) return stop_for_time(recorder_.move().place);
+    fail_under_way(recorder_.move(), DiagnosticKind::zone, text_of(hit));
+    alarm_->axis = static_cast<char>('X' + hit.axis);
+    alarm_->value = hit.tool_mm[hit.axis];
+    alarm_->limit = hit.wall_mm;
+    events_.end_early(hit.time_s);
+    return false;
+}
+
+/// Turns a refusal of the planner into an alarm in terms of the machine's axes.
+bool Simulator::refused(const motion::PlanError& error, const Place& place) {
+    if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
+    if (error.joint < 0) return fail(kind_of(error.status), error.message, place);
+    const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
+    if (error.status != Status::RRS_JOINT_LIMIT) {
+        fail(kind_of(error.status), fmt::format("axis {}: {}", axis.letter, error.message), place);
+        alarm_->axis = axis.letter;
+        return false;
+    }
+    const double value = text::unsigned_zero(machine::axis_value(axis, error.value));
+    const double limit = text::unsigned_zero(machine::axis_value(axis, error.limit));
+    fail(DiagnosticKind::axis_limit,
+         fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
+                     unit(axis), limit, unit(axis)),
+         place);
+    alarm_->axis = axis.letter;
+    alarm_->value = value;
+    alarm_->limit = limit;
+    return false;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,67 @@
+// The cell in which the machine of a Simulator stands.
+
+#include <fmt/format.h>
+
+#include "motion/kinematics/pose.h"
+#include "runtime/simulator/simulator.h"
+
+namespace gsim::simulation {
+
+void Simulator::set_cell(CellWatch& cell) {
+    cell_ = &cell;
+    cell.end_by(limits_.cpu);
+    controller_has_cell_ = motion_->set_cell(cell);
+    if (cell.use().watched) recorder_.add_output(cell);
+}
+
+rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame) {
+    if (asks_controller()) return shell().GetCellFrame(name, frame);
+    const auto found = cell_->frame(name, motion_->time_s());
+    if (!found) return found.error().status;
+    frame = *found;
+    return rrs::Status::RRS_SUCCESS;
+}
+
+rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartPos& frame) {
+    const bool of_machine = motion::MachineFrames::has(name);
+    if (of_machine && !controller_has_cell_ && !kinematics::check_pose(frame))
+        return rrs::Status::RRS_INVALID_PARAMETER;
+    if (!asks_controller() || of_machine) wait();
+    if (asks_controller() || of_machine) {
+        const rrs::Status status = shell().ModifyCellFrame(name, frame);
+        if (rrs::is_refused(status) || !of_machine) return status;
+    }
+    if (cell_ != nullptr && !controller_has_cell_) {
+        const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());
+        if (!moved) return moved.error().status;
+    }
+    if (of_machine) machine_frame_changed(name, frame);
+    return rrs::Status::RRS_SUCCESS;
+}
+
+/// What counts from the tool centre point goes along with it.
+void Simulator::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
+    machine_frames_.set(name, frame);
+    tip_changed();
+    if (observer_ != nullptr)
+        observer_->untold_motion("the script moves the machine's own frame, 'tool' or 'base'");
+    if (tip_frame_) set_tip_control(Eigen::Vector3d(tip_offset_mm_), last_place_);
+}
+
+void Simulator::set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm,
+                             const Eigen::Vector3d& velocity_mm_s, double time_s) {
+    if (cell_ == nullptr) return;
+    cell::Drift drift{.from_s = time_s, .velocity_mm_s = velocity_mm_s};
+    drift.pose.translation() = at_mm;
+    cell_->set_conveyor(name, drift);
+}
+
+void Simulator::add_cell_findings(Report& report) {
+    if (cell_ == nullptr || !cell_->use().watched) return;
+    report.cell = cell_->release();
+    if (report.cell->dropped == 0) return;
+    report.warnings.push_back(fmt::format(
+        "{} more contacts and near misses than the report lists were left out", report.cell->dropped));
+}
+
+}  // namespace gsim::simulation

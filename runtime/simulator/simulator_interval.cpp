@@ -1,0 +1,22 @@
+// How sure the time of a run is.
+
+#include <fmt/format.h>
+
+#include "runtime/simulator/simulator.h"
+
+namespace gsim::simulation {
+
+void Simulator::watch_interval() {
+    if (machine_.calibration) observe_motion(interval_.emplace(machine_));
+}
+
+void Simulator::add_interval(Report& report) const {
+    if (!interval_ || status_ != RunStatus::completed) return;
+    report.interval = interval_->interval(report.cycle_time_s);
+    if (report.interval || report.cycle_time_s <= 0) return;
+    report.warnings.push_back(
+        fmt::format("the machine's figures are calibrated, but the cycle time comes without an interval: {}",
+                    interval_->why_not()));
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,77 @@
+#include "runtime/simulator/tip_frame.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "motion/path/axis_space.h"
+#include "motion/path/tool_path.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr double kSquare = 1e-9;
+constexpr double kNearlySquare = 0.01;  // half a degree: no machine that is aligned is off by so much
+
+double off_square(const Eigen::Matrix3d& directions) {
+    return (directions.transpose() * directions - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
+/// Square directions for a machine whose slides are not quite so: that of X as it is, that of Y in the plane
+/// of both. A control that knows where its slides really go has programs written so.
+Eigen::Matrix3d made_square(const Eigen::Matrix3d& directions) {
+    Eigen::Matrix3d square;
+    square.col(0) = directions.col(0).normalized();
+    square.col(1) = (directions.col(1) - directions.col(1).dot(square.col(0)) * square.col(0)).normalized();
+    square.col(2) = square.col(0).cross(square.col(1)) * (directions.determinant() < 0 ? -1 : 1);
+    return square;
+}
+
+}  // namespace
+
+tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& setup,
+                                                   const rrs::JointPos& zero, const Eigen::Vector3d& tool_mm,
+                                                   const Eigen::Vector3d& offset_mm) {
+    rrs::JointPos joints = zero;
+    motion::put_position(setup.position_joints, Eigen::Vector3d::Zero(), joints);
+    const rrs::CartPos origin = setup.kinematics->forward(joints);
+    TipFrame frame;
+    frame.origin_mm_ = origin * tool_mm;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0) {
+            return tl::unexpected(std::string(
+                "tool-centre-point control needs the linear axes X, Y and Z; this machine has not "
+                "all of them"));
+        }
+        rrs::JointPos moved = joints;
+        moved[joint] += 1;
+        frame.directions_.col(axis) = setup.kinematics->forward(moved) * tool_mm - frame.origin_mm_;
+    }
+    const double off = off_square(frame.directions_);
+    if (off > kSquare && off < kNearlySquare) frame.directions_ = made_square(frame.directions_);
+    if (!(off < kNearlySquare)) {
+        return tl::unexpected(std::string(
+            "tool-centre-point control needs X, Y and Z at right angles; those of this machine are "
+            "not"));
+    }
+    frame.handedness_ = frame.directions_.determinant() < 0 ? -1 : 1;
+    frame.tip_mm_ = tool_mm - (origin.linear().transpose() * (frame.directions_ * offset_mm));
+    return frame;
+}
+
+tl::expected<rrs::JointPos, std::string> TipFrame::joints(const motion::PlannerSetup& setup,
+                                                          const rrs::JointPos& coordinates) const {
+    const Eigen::Vector3d wanted = point(motion::position_of(setup, coordinates));
+    if (auto placed = motion::place_tip(setup, coordinates, tip_mm_, wanted)) return *std::move(placed);
+    return tl::unexpected(std::string("the rotary axes would stand so that two slides go the same way"));
+}
+
+rrs::JointPos TipFrame::coordinates(const motion::PlannerSetup& setup, const rrs::JointPos& joints) const {
+    rrs::JointPos coordinates = joints;
+    const Eigen::Vector3d tip = setup.kinematics->forward(joints) * tip_mm_;
+    motion::put_position(setup.position_joints, directions_.transpose() * (tip - origin_mm_), coordinates);
+    return coordinates;
+}
+
+}  // namespace gsim::simulation
