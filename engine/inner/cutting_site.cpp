@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cam/transit/clear_ways.h"
+#include "cam/linking/clear_ways.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/values.h"
 #include "runtime/simulator/setup_of_machine.h"

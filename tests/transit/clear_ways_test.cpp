@@ -1,4 +1,4 @@
-#include "cam/transit/clear_ways.h"
+#include "cam/linking/clear_ways.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "cam/transit/way_search.h"
+#include "cam/linking/way_search.h"
 #include "collision/monitor/clear_way.h"
 #include "motion/planner/planner_setup.h"
 

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "cam/transit/rapid_space.h"
+#include "cam/linking/rapid_space.h"
 #include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::transit {

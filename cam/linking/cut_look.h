@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "cam/transit/clear_ways.h"
+#include "cam/linking/clear_ways.h"
 
 namespace gsim::transit {
 

@@ -1,4 +1,4 @@
-#include "cam/transit/way_search.h"
+#include "cam/linking/way_search.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "cam/transit/axis_way.h"
-#include "cam/transit/rapid_space.h"
+#include "cam/linking/axis_way.h"
+#include "cam/linking/rapid_space.h"
 
 namespace gsim::transit {
 

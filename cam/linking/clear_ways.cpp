@@ -1,4 +1,4 @@
-#include "cam/transit/clear_ways.h"
+#include "cam/linking/clear_ways.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "cam/transit/cut_look.h"
+#include "cam/linking/cut_look.h"
 
 namespace gsim::transit {
 

@@ -1,4 +1,4 @@
-#include "cam/transit/cut_look.h"
+#include "cam/linking/cut_look.h"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "cam/transit/axis_way.h"
+#include "cam/linking/axis_way.h"
 
 #include <string_view>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "cam/transit/rapid_space.h"
+#include "cam/linking/rapid_space.h"
 
 #include <algorithm>
 #include <array>
