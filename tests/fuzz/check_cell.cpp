@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "collision/cell/cell_file.h"
-#include "engine/inner/override_changes.h"
+#include "engine/src/run/override_changes.h"
 #include "machine/file/machine_file.h"
 #include "runtime/processes/robots_file.h"
 #include "tests/fuzz/checks.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "engine/inner/aliases.h"
-#include "engine/inner/data_json.h"
-#include "engine/inner/variables_text.h"
+#include "engine/src/machine/data_json.h"
+#include "engine/src/run/aliases.h"
+#include "engine/src/run/variables_text.h"
 #include "machine/data/machine_data_document.h"
 #include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"

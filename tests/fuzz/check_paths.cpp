@@ -4,9 +4,9 @@
 
 #include "codegen/post/post_file.h"
 #include "codegen/translate.h"
-#include "engine/inner/path_frames.h"
-#include "engine/inner/path_points.h"
-#include "engine/inner/path_program.h"
+#include "engine/src/paths/path_frames.h"
+#include "engine/src/paths/path_points.h"
+#include "engine/src/paths/path_program.h"
 #include "machine/file/machine_file.h"
 #include "runtime/script/paths/path_script.h"
 #include "tests/fuzz/checks.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
-#include "engine/inner/word_table.h"
+#include "engine/src/run/word_table.h"
 #include "runtime/monitors/cell_watch.h"
 #include "runtime/script/engine/engine.h"
 #include "runtime/simulator/simulator.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "codegen/translate.h"
-#include "engine/inner/word_table.h"
+#include "engine/src/run/word_table.h"
 #include "machine/file/machine_file.h"
 
 namespace gsim::script {

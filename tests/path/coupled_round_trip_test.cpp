@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "codegen/post/post_file.h"
-#include "engine/inner/path_program.h"
+#include "engine/src/paths/path_program.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"

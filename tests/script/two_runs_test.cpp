@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/cell/cell_file.h"
-#include "engine/inner/word_table.h"
+#include "engine/src/run/word_table.h"
 #include "runtime/monitors/cell_watch.h"
 #include "runtime/report/report.h"
 #include "tests/lua_lib/run.h"

@@ -1,0 +1,63 @@
+#include "engine/src/drawing/drawing_input.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cam/drawing/drawing_file.h"
+#include "geometry/mesh/mesh.h"
+
+namespace gsim::engine {
+
+namespace {
+
+geometry::Contour contour_of(const Plate::Outline& outline) {
+    geometry::Contour contour;
+    contour.closed = outline.closed;
+    contour.vertices.reserve(outline.vertices.size());
+    for (const Plate::Vertex& vertex : outline.vertices)
+        contour.vertices.push_back(
+            {{vertex.position_mm[0], vertex.position_mm[1]}, vertex.bulge, vertex.source});
+    return contour;
+}
+
+solid::Plate inner_plate(Plate given) {
+    solid::Plate plate;
+    plate.thickness_mm = given.thickness_mm;
+    for (Plate::Source& source : given.sources)
+        plate.drawing.entities.push_back(
+            {std::move(source.kind), std::move(source.name), source.line, source.bevel_deg});
+    for (const Plate::Outline& outline : given.outlines) plate.drawing.pieces.push_back(contour_of(outline));
+    plate.drawing.notes = std::move(given.notes);
+    return plate;
+}
+
+tl::expected<solid::Plate, std::string> read_solid(const Host& host, const std::string& file,
+                                                   const DrawingChoice& choice) {
+    if (choice.unit_mm != 0 || !choice.layers.empty())
+        return tl::unexpected(
+            std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
+    if (!host.read_plate) {
+        return tl::unexpected(
+            fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
+    }
+    return host
+        .read_plate(file, {.tolerance_mm = choice.curve_tolerance_mm, .flip = choice.flip, .up = choice.up})
+        .map(inner_plate);
+}
+
+}  // namespace
+
+tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
+                                                           const DrawingChoice& choice) {
+    if (solid::is_solid_file(file)) return read_solid(host, file, choice);
+    if (choice.flip || !choice.up.empty())
+        return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
+    const drawing::ReadOptions options{choice.curve_tolerance_mm, choice.unit_mm, choice.layers};
+    return drawing::read_drawing(file, options, os::NamedBy::command_line, host.files.inner())
+        .map([](drawing::Drawing read) {
+            return solid::Plate{std::move(read), 0};
+        });
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <exception>
+#include <new>
+
+#include <tl/expected.hpp>
+
+#include "engine/diagnostic.h"
+#include "engine/src/values.h"
+
+namespace gsim::engine {
+
+/// What `work` returns, a tl::expected with a Failure; or what it throws, as one.
+template <typename Work>
+auto guarded(const Work& work) -> decltype(work()) {
+    using text::DiagnosticKind;
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return tl::unexpected(failure_of(DiagnosticKind::internal, "out of memory"));
+    } catch (const std::exception& error) {
+        return tl::unexpected(failure_of(DiagnosticKind::internal, error.what()));
+    }
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,164 @@
+#include "engine/src/machine/data_json.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/text/json.h"
+
+namespace gsim::engine {
+
+using machine::DataField;
+using machine::DataRow;
+using machine::DataSection;
+using machine::FieldForm;
+using machine::MachineDataDocument;
+using machine::Quantity;
+using machine::SectionRules;
+using nlohmann::ordered_json;
+
+namespace {
+
+using Sentence = tl::unexpected<std::string>;
+
+ordered_json value_to_json(const DataField& field, const std::string& value) {
+    if (field.quantity == Quantity::text) return value;
+    if (field.quantity == Quantity::whole) return machine::parse_number<int>(value).value_or(0);
+    const auto number = machine::parse_number<double>(value);
+    return number ? ordered_json(*number) : ordered_json();
+}
+
+/// Builds the lines of a file from the entries of JSON.
+class JsonReader {
+  public:
+    JsonReader(std::string file_name, std::span<const machine::Axis> axes)
+        : file_name_(std::move(file_name)), axes_(axes), rules_(axes) {}
+
+    tl::expected<MachineDataDocument, std::string> read(const ordered_json& json) {
+        if (!json.is_object()) return fault("this is no JSON object with a list for each section");
+        for (const auto& [name, entries] : json.items()) {
+            const auto section = machine::section_named(name);
+            if (!section) return fault(fmt::format("'{}' is no section", machine::shown_word(name)));
+            if (!entries.is_array()) return fault(fmt::format("{} is no list", name));
+            text_ += fmt::format("{}\n", name);
+            for (const ordered_json& entry : entries) {
+                if (auto added = add(rules_.of(*section), entry); !added)
+                    return tl::unexpected(std::move(added.error()));
+            }
+        }
+        auto document = MachineDataDocument::read(text_ + "ENDFILE\n", file_name_, axes_);
+        if (!document) return tl::unexpected(std::move(document.error().front()));
+        return *std::move(document);
+    }
+
+  private:
+    Sentence fault(std::string_view sentence) const {
+        return Sentence(fmt::format("{}: {}", file_name_, sentence));
+    }
+
+    Sentence fault(const SectionRules& rules, std::string_view id, std::string_view sentence) const {
+        return fault(fmt::format("{} {}: {}", rules.keyword, machine::shown_word(id), sentence));
+    }
+
+    tl::expected<void, std::string> add(const SectionRules& rules, const ordered_json& entry) {
+        const auto id = entry.is_object() ? entry.find("id") : entry.end();
+        if (!entry.is_object() || id == entry.end() || !(id->is_string() || id->is_number_integer()))
+            return fault(fmt::format("an entry of {} is no object with an \"id\"", rules.keyword));
+        DataRow row;
+        row.id = id->is_string() ? id->get<std::string>() : id->dump();
+        row.values.resize(rules.fields.size());
+        for (const auto& [name, value] : entry.items()) {
+            if (name == "id") continue;
+            if (auto set = set_value(rules, row, name, value); !set) return fault(rules, row.id, set.error());
+        }
+        return add_line(rules, row);
+    }
+
+    static tl::expected<void, std::string> set_value(const SectionRules& rules, DataRow& row,
+                                                     const std::string& name, const ordered_json& value) {
+        if (name == "unit" && rules.has_unit) {
+            if (value != "inch" && value != "metric") return Sentence("the unit is \"inch\" or \"metric\"");
+            row.unit = value == "inch" ? machine::LengthUnit::inch : machine::LengthUnit::metric;
+            return {};
+        }
+        const auto index = rules.find(name);
+        if (!index) return Sentence(fmt::format("{} has no '{}'", rules.keyword, machine::shown_word(name)));
+        const DataField& field = rules.fields[*index];
+        std::string& text = row.values[*index];
+        if (value.is_null() && field.may_be_open) {
+            text.assign(1, '-');
+        } else if (field.quantity == Quantity::text ? value.is_string() : value.is_number()) {
+            text = value.is_string()           ? value.get<std::string>()
+                   : value.is_number_integer() ? value.dump()
+                                               : machine::number_text(value.get<double>());
+        } else {
+            return Sentence(
+                fmt::format("{} is no {}", name, field.quantity == Quantity::text ? "text" : "number"));
+        }
+        if (machine::is_data_word(text)) return {};
+        return Sentence(fmt::format("{}: '{}' is not one word", name, machine::shown_word(text)));
+    }
+
+    tl::expected<void, std::string> add_line(const SectionRules& rules, const DataRow& row) {
+        const auto end = row.values.begin() + static_cast<std::ptrdiff_t>(rules.positional());
+        const auto gap = std::find(row.values.begin(), end, "");
+        if (std::any_of(gap, end, [](const std::string& value) { return !value.empty(); })) {
+            const auto field = static_cast<std::size_t>(gap - row.values.begin());
+            return fault(rules, row.id,
+                         fmt::format("{} is missing, and values stand behind it", rules.fields[field].name));
+        }
+        if (!machine::is_data_word(row.id)) return fault(rules, row.id, "the id is not one word");
+        const std::string line = machine::row_line(rules, row);
+        const auto read = machine::read_row(rules, machine::data_words(line));
+        if (!read) return fault(rules, row.id, read.error().sentence);
+        if (!keys_.insert(machine::data_key(rules.section, read->row.id)).second)
+            return fault(rules, row.id, "it is given twice");
+        if (const auto name = machine::name_key(rules, read->row); name && !keys_.insert(*name).second)
+            return fault(rules, row.id, "its NAME is that of another one");
+        text_ += fmt::format("{}\n", line);
+        return {};
+    }
+
+    std::string file_name_;
+    std::span<const machine::Axis> axes_;
+    machine::DataRules rules_;
+    std::set<std::string> keys_;
+    std::string text_ = "NCFILE\n";
+};
+
+}  // namespace
+
+ordered_json row_to_json(const SectionRules& rules, const DataRow& row) {
+    ordered_json json{{"id", row.id}};
+    if (rules.has_unit) json["unit"] = row.unit == machine::LengthUnit::inch ? "inch" : "metric";
+    for (std::size_t i = 0; i < rules.fields.size(); ++i) {
+        if (!row.values[i].empty())
+            json[rules.fields[i].name] = value_to_json(rules.fields[i], row.values[i]);
+    }
+    return json;
+}
+
+ordered_json data_to_json(const MachineDataDocument& document) {
+    ordered_json json = ordered_json::object();
+    for (const DataSection section : machine::kDataSections) {
+        const SectionRules& rules = document.rules().of(section);
+        for (const DataRow& row : document.rows(section))
+            json[std::string(rules.keyword)].push_back(row_to_json(rules, row));
+    }
+    return json;
+}
+
+tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view text,
+                                                              const std::string& file_name,
+                                                              std::span<const machine::Axis> axes) {
+    try {
+        return JsonReader(file_name, axes).read(text::parse_json<ordered_json>(text));
+    } catch (const ordered_json::parse_error& error) {
+        return Sentence(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
+    } catch (const ordered_json::out_of_range&) {
+        return Sentence(fmt::format("{}: a number in it is too large: 1e308 is about the most", file_name));
+    }
+}
+
+}  // namespace gsim::engine

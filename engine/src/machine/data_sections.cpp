@@ -1,0 +1,46 @@
+#include "engine/src/machine/data_sections.h"
+
+namespace gsim::engine {
+
+namespace {
+
+MachineData::Quantity quantity_of(machine::Quantity quantity) {
+    switch (quantity) {
+        case machine::Quantity::length: return MachineData::Quantity::length;
+        case machine::Quantity::angle: return MachineData::Quantity::angle;
+        case machine::Quantity::unknown: return MachineData::Quantity::unknown;
+        case machine::Quantity::plain: return MachineData::Quantity::number;
+        case machine::Quantity::whole: return MachineData::Quantity::whole;
+        case machine::Quantity::text: break;
+    }
+    return MachineData::Quantity::text;
+}
+
+MachineData::Field field_of(const machine::DataField& field) {
+    return {.name = field.name,
+            .quantity = quantity_of(field.quantity),
+            .meaning = field.meaning,
+            .required = field.required,
+            .may_be_open = field.may_be_open,
+            .least = field.least,
+            .greatest = field.greatest,
+            .choices = {field.choices.begin(), field.choices.end()}};
+}
+
+}  // namespace
+
+std::vector<MachineData::Section> data_sections(const machine::DataRules& rules) {
+    std::vector<MachineData::Section> sections;
+    for (const machine::DataSection each : machine::kDataSections) {
+        const machine::SectionRules& of = rules.of(each);
+        MachineData::Section section{.name = std::string(of.keyword),
+                                     .title = std::string(of.title),
+                                     .ids = std::string(of.ids),
+                                     .has_unit = of.has_unit};
+        for (const machine::DataField& field : of.fields) section.fields.push_back(field_of(field));
+        sections.push_back(std::move(section));
+    }
+    return sections;
+}
+
+}  // namespace gsim::engine

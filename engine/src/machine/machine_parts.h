@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/machine.h"
+#include "engine/src/run/run_inputs.h"
+
+namespace gsim::engine {
+
+/// What runs on a machine share.
+struct Machine::Parts {
+    FoundRequest found;  ///< Of machine, machine data and cell alone.
+    MachineInput input;
+    std::shared_ptr<const cell::Cell> bodies = nullptr;  ///< Null: not read.
+};
+
+}  // namespace gsim::engine

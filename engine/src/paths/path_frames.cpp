@@ -1,0 +1,157 @@
+#include "engine/src/paths/path_frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+#include "toolpath/model/validate.h"
+
+namespace gsim::engine {
+
+namespace {
+
+using path::SubPath;
+using path::Target;
+using path::TargetId;
+using path::WorkFrame;
+
+template <typename Take>
+void for_each_frame(const path::Program& program, const Take& take) {
+    for (std::size_t i = 0; i < program.paths.size(); ++i) {
+        take(TargetId{i, {}}, program.paths[i].frame);
+        const std::vector<Target>& targets = program.paths[i].targets;
+        for (std::size_t target = 0; target < targets.size(); ++target) {
+            const auto* use = std::get_if<SubPath>(&targets[target]);
+            if (use != nullptr) take(TargetId{i, target}, use->frame);
+        }
+    }
+}
+
+std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Post& post) {
+    const std::vector<std::string>& systems = post.offsets.systems;
+    if (frame.name.empty()) return std::nullopt;
+    if (systems.empty())
+        return fmt::format("the post '{}' has no work offsets ([offsets] systems)", post.name);
+    if (std::find(systems.begin(), systems.end(), frame.name) == systems.end())
+        return fmt::format("the post '{}' has no work offset G{}; it has G{}", post.name, frame.name,
+                           text::joined(systems, ", G"));
+    if (!frame.touches.empty() && post.touch.empty())
+        return fmt::format("the post '{}' has no words that find a work offset by touches ([probe] touch)",
+                           post.name);
+    if (frame.set_offset_mm && post.offsets.set.empty())
+        return fmt::format("the post '{}' has no word that sets a work offset ([offsets] set)", post.name);
+    return std::nullopt;
+}
+
+// What the request gives to a root that has none.
+std::optional<std::string> give_defaults(path::Program& program, const PathRequest& request,
+                                         const codegen::Post& post) {
+    const bool asked = !request.work_offset.empty() || request.set_offset_mm || request.tool;
+    if (!asked) return std::nullopt;
+    if (program.is_recorded())
+        return "work offsets and tools are of paths that no run has recorded; those of a recorded one are at "
+               "its "
+               "points";
+    path::Path& root = program.paths[program.root];
+    const std::string asked_for = path::frame_name(request.work_offset);
+    if (root.frame.name.empty()) root.frame.name = asked_for;
+    if (request.set_offset_mm) {
+        if (!asked_for.empty() && root.frame.name != asked_for) {
+            return fmt::format("the path names G{} itself, and is not put where G{} is to be set",
+                               root.frame.name, asked_for);
+        }
+        if (root.frame.name.empty() && !post.offsets.systems.empty())
+            root.frame.name = post.offsets.systems.front();
+        if (!root.frame.set_offset_mm) root.frame.set_offset_mm = request.set_offset_mm;
+    }
+    if (!root.tool && request.tool) root.tool = path::Tool{*request.tool, *request.tool, std::nullopt};
+    return frame_fault(root.frame, post);
+}
+
+}  // namespace
+
+PathFrames::PathFrames(const path::Program& program) {
+    for_each_frame(program, [this](const TargetId& where, const WorkFrame& frame) { add(where, frame); });
+    tools_ = std::any_of(program.paths.begin(), program.paths.end(),
+                         [](const path::Path& path) { return path.tool.has_value(); });
+}
+
+void PathFrames::add(const TargetId& where, const WorkFrame& frame) {
+    if (frame.name.empty()) return;
+    std::optional<path::Vector>& place_mm = places_mm_[frame.name];
+    if (frame.set_offset_mm) place_mm = frame.set_offset_mm;
+    const bool is_found =
+        std::any_of(found_.begin(), found_.end(), [&](const Found& each) { return each.name == frame.name; });
+    if (!frame.touches.empty() && !is_found) found_.push_back({frame.name, &frame.touches, where});
+}
+
+std::optional<path::Fault> PathFrames::fault_of_touches(const path::MachineSpace& space) const {
+    for (const Found& frame : found_) {
+        const auto& place_mm = places_mm_.find(frame.name)->second;
+        if (!place_mm) continue;
+        for (const path::Touch& touch : *frame.touches) {
+            std::map<char, double> at;
+            for (std::size_t i = 0; i < 3; ++i)
+                at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*place_mm)[i];
+            std::string fault = space.range_fault(at);
+            at[touch.axis] += touch.to_mm - touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
+            if (fault.empty()) fault = space.range_fault(at);
+            if (!fault.empty()) return path::Fault{frame.where, std::move(fault)};
+        }
+    }
+    return std::nullopt;
+}
+
+// The tool is up before each touch, and behind the last one.
+void PathFrames::tell_touches(path::MoveSink& sink) const {
+    std::optional<int> tool;
+    for (const Found& frame : found_) {
+        for (const path::Touch& touch : *frame.touches) {
+            sink.retract();
+            if (touch.tool && touch.tool != tool) {
+                sink.action(fmt::format("tool_select T{}", *touch.tool));
+                sink.action(fmt::format("tool_change T{}", *touch.tool));
+                sink.action(fmt::format("tool_length H{}", *touch.tool));
+                tool = touch.tool;
+            }
+            sink.work_offset(frame.name);
+            sink.touch(frame.name, touch);
+        }
+    }
+    if (!found_.empty()) sink.retract();
+}
+
+std::vector<std::string> PathFrames::notes() const {
+    std::vector<std::string> names;
+    for (const auto& [name, place_mm] : places_mm_) {
+        if (!place_mm) names.push_back("G" + name);
+    }
+    if (names.empty()) return {};
+    return {fmt::format(
+        "the path does not say where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
+        text::joined(names, ", "))};
+}
+
+tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,
+                                                const codegen::Post& post) {
+    path::Program& program = file.program;
+    if (auto fault = give_defaults(program, request, post)) return tl::unexpected(*fault);
+    std::optional<std::string> fault;
+    bool any = false;
+    for_each_frame(program, [&](const TargetId& where, const WorkFrame& frame) {
+        any = any || !frame.name.empty();
+        const auto found = frame_fault(frame, post);
+        if (found && !fault) fault = file.located(where, *found);
+    });
+    if (fault) return tl::unexpected(*fault);
+    std::string& of_root = program.paths[program.root].frame.name;
+    if (any && of_root.empty()) of_root = post.offsets.systems.front();
+    // The request may have brought what does not go with the path.
+    if (const auto ill = path::validate(program))
+        return tl::unexpected(file.located(ill->where, ill->sentence));
+    return {};
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,386 @@
+#include "engine/src/paths/path_program.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/letter_case.h"
+#include "base/units.h"
+#include "engine/src/paths/path_check.h"
+#include "toolpath/json/touches.h"
+#include "toolpath/rotary/merged_lines.h"
+
+namespace gsim::engine {
+
+using codegen::GcodeWriter;
+using codegen::Places;
+using path::Fault;
+
+namespace {
+
+constexpr double kMostTargets = 1e8;  // of a program whose sub-paths are written where they are used
+constexpr int kFirstLabel = 5001;     // of O-words that repeat a call
+
+std::string plain_name(const std::string& name) {
+    std::string plain;
+    for (const char c : name) {
+        plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    }
+    return plain.empty() ? "path" : plain;
+}
+
+}  // namespace
+
+// Moves as blocks.
+class PathProgram::Sink : public path::MoveSink {
+  public:
+    Sink(const PathProgram& program, const path::AxisMoves& moves, GcodeWriter::Sink text)
+        : program_(program),
+          moves_(moves),
+          axes_(program.written_axes()),
+          writer_(*program.post_, axes_, program.options_.words, std::move(text)) {
+        values_.resize(axes_.size());
+        origin_.resize(axes_.size());
+        for (const codegen::WrittenAxis& axis : axes_) {
+            indices_.push_back(static_cast<Eigen::Index>(*program.space_.machine().find(axis.letter)));
+        }
+    }
+
+    GcodeWriter& writer() { return writer_; }
+    void run(std::size_t path) {
+        // Everything was looked at by PathCheck.
+        path::MergedLines merged(*this, program_.space_, program_.move_options());
+        static_cast<void>(
+            moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
+        merged.finish();
+    }
+    /// The root's lines behind those of the program's beginning.
+    void begin() {
+        const codegen::Post& post = *program_.post_;
+        const Offsets offsets = program_.offsets();
+        const bool framed = program_.frames_.any();
+        if (offsets != Offsets::as_path || framed) writer_.lines(post.offsets.begin);
+        // What the control has for a frame counts there, whatever the place where the tool stands was called.
+        const std::string& here = framed                        ? std::string()
+                                  : offsets == Offsets::as_path ? post.start_position
+                                                                : post.offsets.here;
+        if (!here.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
+            writer_.here(here, values_of(program_.space_.home()));
+        for (const auto& [name, place_mm] : program_.frames_.places_mm()) {
+            if (place_mm) writer_.set_work_offset(name, *place_mm);
+        }
+        if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
+        program_.frames_.tell_touches(*this);
+    }
+    /// Those before the lines of its end.
+    void end() {
+        constexpr std::string_view kNoLength = "tool_length_off";
+        if (program_.frames_.tools() && program_.post_->actions.contains(kNoLength))
+            writer_.action(kNoLength);
+        if (program_.frames_.any()) writer_.work_offset(program_.post_->offsets.systems.front());
+        if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
+        if (program_.has_accelerations_) writer_.lines(program_.post_->end_acceleration);
+    }
+
+    void move(const path::AxisMove& move) override {
+        const std::span<const double> values = values_of(move.axes);
+        if (move.rapid) return writer_.move(values, std::nullopt);
+        const codegen::WrittenFeed feed{move.feed_per_min, move.feed_is_rotary, move.duration_s,
+                                        move.feed_mm_rev, program_.thread_lead(move)};
+        if (!move.arc) return writer_.move(values, feed);
+        if (move.arc->via_mm)
+            return writer_.arc_through(values, from_origin(*move.arc->via_mm), feed, move.arc->turn_rad);
+        constexpr std::array kPlanes = {Plane::yz, Plane::zx, Plane::xy};
+        writer_.arc(values,
+                    {kPlanes[static_cast<std::size_t>(move.arc->about)], !move.arc->counterclockwise,
+                     move.arc->center_offset_mm, move.arc->turn_rad, move.arc->turns},
+                    feed);
+    }
+    void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
+    void retract() override { writer_.retract(program_.retract_mm()); }
+    void touch(const std::string& frame, const path::Touch& touch) override {
+        writer_.touch(frame,
+                      {touch.axis, touch.from_mm, touch.to_mm, path::contact_mm(touch), touch.feed_mm_min});
+    }
+    void go_to(const path::MachineWay& way) override {
+        if (way.reference > 0) return writer_.go_to_reference(way.reference, way.steps);
+        writer_.machine_rapids(way.steps);
+    }
+    // The numbers of a recorded path are counted from where the machine's data has the system.
+    void work_offset(const std::string& name) override {
+        if (program_.offsets() == Offsets::as_path) return writer_.work_offset(name);
+        if (program_.offsets() != Offsets::keep) return;
+        const auto& origin = program_.file_->program.work_offsets.find(name)->second.origin;
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const auto value = origin.find(axes_[i].letter);
+            origin_[i] = value == origin.end() ? 0 : value->second;
+        }
+        writer_.work_offset(name);
+    }
+    void dwell(double seconds) override { writer_.dwell(seconds); }
+    void acceleration(double mm_s2) override { writer_.acceleration(mm_s2); }
+    void action(const std::string& name) override { writer_.action(name); }
+    void note(const path::TargetId&, std::string_view sentence) override { writer_.comment(sentence); }
+
+    void call(const path::SubPath& sub_path) override {
+        if (program_.inlined()) {
+            for (int i = 0; i < sub_path.repeats; ++i) run(sub_path.path);
+            return;
+        }
+        const std::vector<std::size_t>& order = program_.states_.users_first();
+        const auto at = std::find(order.begin(), order.end(), sub_path.path) - order.begin();
+        const Places saved = writer_.places();
+        writer_.places() = program_.places_of(static_cast<std::size_t>(at));
+        writer_.places()["repeats"] = fmt::format("{}", sub_path.repeats);
+        writer_.places()["label"] = fmt::format("{}", next_label_);
+        const codegen::SubprogramLines& lines = *program_.post_->subprogram;
+        if (sub_path.repeats > 1) ++next_label_;
+        writer_.lines(sub_path.repeats > 1 ? lines.call_repeated : lines.call);
+        writer_.places() = saved;
+        writer_.forget();
+    }
+
+  private:
+    // X, Y and Z, which are the first axes.
+    path::Vector from_origin(const path::Vector& xyz) const {
+        return {xyz[0] - origin_[0], xyz[1] - origin_[1], xyz[2] - origin_[2]};
+    }
+    std::span<const double> values_of(const path::AxisValues& axes) {
+        for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = axes[indices_[i]] - origin_[i];
+        return values_;
+    }
+
+    const PathProgram& program_;
+    const path::AxisMoves& moves_;
+    std::vector<codegen::WrittenAxis> axes_;
+    GcodeWriter writer_;
+    std::vector<double> values_;
+    std::vector<double> origin_;  // of the numbers: machine coordinates of 0
+    std::vector<Eigen::Index> indices_;
+    int next_label_ = kFirstLabel;
+};
+
+tl::expected<PathProgram, std::string> PathProgram::plan(const path::PathFile& file,
+                                                         const machine::Machine& machine,
+                                                         const codegen::Post& post,
+                                                         const PathProgramOptions& options) {
+    auto space = path::MachineSpace::make(machine);
+    if (!space) return tl::unexpected(space.error());
+    PathProgram program(file, std::move(*space), post, options);
+    for (const codegen::WrittenAxis& axis : program.written_axes()) {
+        if (post.axes.empty() || post.axes.find(axis.letter) != std::string::npos) continue;
+        return tl::unexpected(
+            fmt::format("the post '{}' is for the axes {}, and the machine '{}' has {}; name another machine "
+                        "by --machine",
+                        post.name, post.axes, machine.name, axis.letter));
+    }
+    if (!program.options_.words.decimals_mm && file.program.is_recorded())
+        program.options_.words.decimals_mm = post.decimals_recorded_mm;
+    program.options_.words.in_machine = program.offsets() == Offsets::machine;
+    if (auto checked = program.check_offsets(); !checked) return tl::unexpected(checked.error());
+    auto turns = path::plan_rotary(file.program, program.space_, program.states_, options.rotary);
+    if (!turns) return tl::unexpected(file.located(turns.error().where, turns.error().sentence));
+    program.turns_ = std::move(*turns);
+    if (auto looked = program.look_at_moves(); !looked) return tl::unexpected(looked.error());
+    return program;
+}
+
+Offsets PathProgram::offsets() const {
+    return options_.offsets.value_or(file_->program.is_recorded() ? Offsets::keep : Offsets::as_path);
+}
+
+tl::expected<void, std::string> PathProgram::check_offsets() const {
+    const codegen::OffsetWords& words = post_->offsets;
+    if (frames_.any() && offsets() != Offsets::as_path)
+        return tl::unexpected<std::string>(
+            "--offsets says how to write what a run has recorded; this path names its "
+            "own work offsets");
+    if (frames_.tools() && offsets() == Offsets::machine)
+        return tl::unexpected<std::string>(
+            "--offsets G53 is for paths without tools of their own: no length offset counts in machine "
+            "coordinates");
+    const auto no_word = [this](std::string_view what) {
+        return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
+    };
+    switch (offsets()) {
+        case Offsets::as_path: return {};
+        case Offsets::none:
+            if (words.here.empty()) return no_word("the place where the machine stands ([offsets] here)");
+            return {};
+        case Offsets::machine:
+            if (words.machine.empty()) return no_word("machine coordinates ([offsets] machine)");
+            return {};
+        case Offsets::keep: break;
+    }
+    if (!file_->program.is_recorded()) {
+        return tl::unexpected<std::string>(
+            "--offsets keep is for recorded paths (gsim-run --record), which say what offsets were in force");
+    }
+    for (const auto& [name, offset] : file_->program.work_offsets) {
+        if (auto known = check_work_offset(name); !known) return known;
+    }
+    return {};
+}
+
+tl::expected<void, std::string> PathProgram::check_work_offset(const std::string& name) const {
+    const std::vector<std::string>& systems = post_->offsets.systems;
+    const double rotation_deg = file_->program.work_offsets.find(name)->second.rotation_deg;
+    if (std::find(systems.begin(), systems.end(), name) == systems.end()) {
+        return tl::unexpected(
+            fmt::format("the post '{}' has no word for the work offset G{}; --offsets none or G53 writes the "
+                        "program without",
+                        post_->name, name));
+    }
+    if (rotation_deg == 0) return {};
+    return tl::unexpected(fmt::format(
+        "the work offset G{} is turned by {:.10g} degrees, which is not written; --offsets none or "
+        "G53 writes the program without",
+        name, rotation_deg));
+}
+
+tl::expected<void, std::string> PathProgram::check_retract() const {
+    if (post_->offsets.machine.empty()) return {};
+    if (!options_.retract_mm && !space_.top_mm()) {
+        return tl::unexpected(
+            fmt::format("Z of the machine '{}' has no end that the tool could go up to for changes; "
+                        "name a height by --retract",
+                        space_.machine().name));
+    }
+    path::AxisValues up = space_.home();
+    up[static_cast<Eigen::Index>(*space_.machine().find('Z'))] = retract_mm();
+    const std::string fault = space_.range_fault(up);
+    if (fault.empty()) return {};
+    return tl::unexpected(fmt::format("--retract: {}", fault));
+}
+
+// As a line of its feed where the control has no threads, and the user wants the program all the same.
+std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const {
+    const bool has_word = !post_->thread.empty() && offsets() != Offsets::machine;
+    return has_word ? move.lead_mm : std::nullopt;
+}
+
+path::MoveOptions PathProgram::move_options() const {
+    const double digit_mm = options_.words.inch
+                                ? kMmPerInch * std::pow(10.0, -post_->decimals_inch)
+                                : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
+    const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
+                         : post_->refuses_oblique_arcs ? path::ObliqueArcs::refused
+                                                       : path::ObliqueArcs::lines;
+    return {options_.tolerance_mm,
+            digit_mm,
+            oblique,
+            offsets() != Offsets::machine,
+            !post_->turns_of_arcs.empty(),
+            {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant},
+            frames_.places_mm(),
+            options_.retract_mm ? options_.retract_mm : space_.top_mm()};
+}
+
+tl::expected<void, std::string> PathProgram::look_at_moves() {
+    const auto located = [this](const Fault& fault) {
+        return tl::unexpected(file_->located(fault.where, fault.sentence));
+    };
+    if (inlined()) {
+        if (auto size = check_size(); !size) return located(size.error());
+    }
+    const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
+    PathCheck check(*file_, *post_, offsets() == Offsets::machine, options_.go_on);
+    if (const auto beyond = frames_.fault_of_touches(space_)) return located(*beyond);
+    frames_.tell_touches(check);
+    for (const std::size_t path : states_.users_first()) {
+        if (auto run = moves.run(path, check); !run) return located(run.error());
+    }
+    auto found = check.finish();
+    if (!found) return tl::unexpected(found.error());
+    notes_ = frames_.notes();
+    notes_.insert(notes_.end(), found->notes.begin(), found->notes.end());
+    options_.words.feed_modes = found->feed_modes;
+    has_accelerations_ = found->accelerations;
+    return found->retracts ? check_retract() : tl::expected<void, std::string>();
+}
+
+tl::expected<void, Fault> PathProgram::check_size() const {
+    std::vector<double> sizes(file_->program.paths.size(), 0);
+    const std::vector<std::size_t>& order = states_.users_first();
+    for (auto path = order.rbegin(); path != order.rend(); ++path) {
+        for (const path::Target& target : file_->program.paths[*path].targets) {
+            const auto* sub_path = std::get_if<path::SubPath>(&target);
+            sizes[*path] += sub_path == nullptr ? 1 : sub_path->repeats * sizes[sub_path->path];
+        }
+    }
+    const double size = sizes[file_->program.root];
+    if (size <= kMostTargets) return {};
+    return tl::unexpected(
+        Fault{{file_->program.root, std::nullopt},
+              fmt::format("the post '{}' has no subprograms, and all sub-paths written where they are used "
+                          "come to {:.3g} points; {:.0e} is the most",
+                          post_->name, size, kMostTargets)});
+}
+
+std::vector<codegen::WrittenAxis> PathProgram::written_axes() const {
+    std::vector<codegen::WrittenAxis> axes{{'X', false}, {'Y', false}, {'Z', false}};
+    for (std::size_t i = 0; i < space_.rotary_count(); ++i)
+        axes.push_back({space_.rotary_axis(i).letter, true});
+    return axes;
+}
+
+Places PathProgram::places_of(std::size_t order) const {
+    const std::size_t path = states_.users_first()[order];
+    const std::string name = plain_name(options_.name);
+    const std::string& title =
+        order == 0 && !file_->program.name.empty() ? file_->program.name : file_->program.paths[path].name;
+    return {{"number", fmt::format("{:04}", order + 1)},
+            {"title", codegen::comment_text(title)},
+            {"program", name},
+            {"lower", text::lower(name)},
+            {"unit", options_.words.inch ? "G20" : "G21"}};
+}
+
+std::string PathProgram::file_of(std::size_t order) const {
+    if (order == 0 || inlined() || !options_.separate_files) return {};
+    return codegen::filled(post_->subprogram->file, places_of(order));
+}
+
+std::vector<std::string> PathProgram::file_names() const {
+    std::vector<std::string> names;
+    if (inlined() || !options_.separate_files) return names;
+    for (std::size_t order = 1; order < states_.users_first().size(); ++order)
+        names.push_back(file_of(order));
+    return names;
+}
+
+void PathProgram::write_path(std::size_t order, Sink& sink) const {
+    GcodeWriter& writer = sink.writer();
+    writer.places() = places_of(order);
+    writer.forget();
+    writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
+    if (order == 0) sink.begin();
+    sink.run(states_.users_first()[order]);
+    if (order == 0) sink.end();
+    writer.lines(order == 0 ? post_->end : post_->subprogram->end);
+}
+
+void PathProgram::write(const std::function<GcodeWriter::Sink(const std::string& file)>& sink_of) const {
+    const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
+    Sink main(*this, moves, sink_of({}));
+    const std::size_t paths = inlined() ? 1 : states_.users_first().size();
+    std::vector<std::size_t> sequence(paths);
+    for (std::size_t i = 0; i < paths; ++i) sequence[i] = i;
+    if (!inlined() && post_->subprogram->before_program) std::reverse(sequence.begin(), sequence.end());
+    for (const std::size_t order : sequence) {
+        const std::string file = file_of(order);
+        if (file.empty()) {
+            write_path(order, main);
+        } else {
+            Sink own(*this, moves, sink_of(file));
+            write_path(order, own);
+            own.writer().flush();
+        }
+    }
+    main.writer().flush();
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "codegen/post/gcode_writer.h"
+#include "codegen/post/post.h"
+#include "engine/path_translation.h"
+#include "engine/src/paths/path_frames.h"
+#include "machine/model/machine.h"
+#include "toolpath/model/place.h"
+#include "toolpath/rotary/axis_moves.h"
+
+namespace gsim::engine {
+
+struct PathProgramOptions {
+    codegen::WriterOptions words;
+    path::RotaryOptions rotary;
+    double tolerance_mm = 0.01;
+    bool separate_files = false;            ///< Each sub-path in a file of its own.
+    std::optional<Offsets> offsets = {};    ///< Left out: keep for recorded paths, else as_path.
+    std::optional<double> retract_mm = {};  ///< Machine coordinate of Z; left out: the end of its range.
+    bool go_on = false;  ///< What the post has no words for becomes comments, instead of an error.
+    std::string name;    ///< {program} of the post: the main file's name without its extension.
+};
+
+/// A path on its way to G-code for one machine and one controller.
+class PathProgram {
+  public:
+    /// Plans the axes and looks at every move, so that writing cannot fail. What is given must outlive the
+    /// program. The error names the place in the path's file.
+    static tl::expected<PathProgram, std::string> plan(const path::PathFile& file,
+                                                       const machine::Machine& machine,
+                                                       const codegen::Post& post,
+                                                       const PathProgramOptions& options);
+
+    /// What the user should know: pieces, unwinding, actions and values that the post has no words for.
+    const std::vector<std::string>& notes() const { return notes_; }
+    /// The files to write beside the main one.
+    std::vector<std::string> file_names() const;
+    /// Writes all; `sink_of` gives where the text of a file goes, "" for the main one.
+    void write(const std::function<codegen::GcodeWriter::Sink(const std::string& file)>& sink_of) const;
+
+  private:
+    class Sink;
+
+    PathProgram(const path::PathFile& file, path::MachineSpace space, const codegen::Post& post,
+                const PathProgramOptions& options)
+        : file_(&file),
+          space_(std::move(space)),
+          post_(&post),
+          options_(options),
+          states_(file.program),
+          frames_(file.program) {}
+
+    bool inlined() const { return !post_->subprogram; }
+    Offsets offsets() const;
+    tl::expected<void, std::string> check_offsets() const;
+    tl::expected<void, std::string> check_work_offset(const std::string& name) const;
+    tl::expected<void, std::string> check_retract() const;
+    path::MoveOptions move_options() const;
+    double retract_mm() const { return options_.retract_mm.value_or(space_.top_mm().value_or(0)); }
+    std::optional<double> thread_lead(const path::AxisMove& move) const;
+    tl::expected<void, std::string> look_at_moves();
+    tl::expected<void, path::Fault> check_size() const;
+    std::vector<codegen::WrittenAxis> written_axes() const;
+    codegen::Places places_of(std::size_t order) const;
+    std::string file_of(std::size_t order) const;
+    void write_path(std::size_t order, Sink& sink) const;
+
+    const path::PathFile* file_;
+    path::MachineSpace space_;
+    const codegen::Post* post_;
+    PathProgramOptions options_;
+    path::States states_;
+    std::vector<path::PathTurns> turns_;
+    PathFrames frames_;
+    std::vector<std::string> notes_;
+    bool has_accelerations_ = false;
+};
+
+}  // namespace gsim::engine

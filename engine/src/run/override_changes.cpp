@@ -1,0 +1,174 @@
+#include "engine/src/run/override_changes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text/format.h"
+#include "base/toml/toml_section.h"
+
+namespace gsim::engine {
+
+namespace {
+
+using base::NumberRule;
+using motion::OverrideChange;
+using motion::Overrides;
+using motion::OverrideSchedule;
+using std::string_view_literals::operator""sv;
+
+constexpr std::array kOverrideFileKeys{"override"sv};
+constexpr std::array kChangeKeys{"at_s"sv, "feed_percent"sv, "rapid_percent"sv, "spindle_percent"sv};
+
+/// What a controller takes of one override.
+struct Allowed {
+    double least = 0;
+    double most = 0;
+    std::vector<double> steps = {};
+
+    bool takes(double percent) const {
+        if (!steps.empty()) return std::find(steps.begin(), steps.end(), percent) != steps.end();
+        return percent >= least && percent <= most;
+    }
+    std::string text() const {
+        if (steps.empty()) return fmt::format("from {:g} to {:g} %", least, most);
+        std::string all;
+        for (const double step : steps) {
+            const char* separator = all.empty() ? "" : step == steps.back() ? " or " : ", ";
+            text::append_format(all, "{}{:g}", separator, step);
+        }
+        return all + " %";
+    }
+};
+
+/// One of the three overrides: its names, what it is in Overrides, and what a controller takes of it.
+struct Kind {
+    std::string_view option;
+    std::string_view key;
+    std::optional<double> OverrideChoice::*percent;
+    double Overrides::*share;
+    Allowed (*allowed)(const rrs::OverrideRules&);
+};
+
+constexpr std::array kKindsOfOverride{
+    Kind{"--feed-override", "feed_percent", &OverrideChoice::feed_percent, &Overrides::feed,
+         [](const rrs::OverrideRules& r) {
+             return Allowed{r.feed_min_percent, r.feed_max_percent};
+         }},
+    Kind{"--rapid-override", "rapid_percent", &OverrideChoice::rapid_percent, &Overrides::rapid,
+         [](const rrs::OverrideRules& r) {
+             return Allowed{0, r.rapid_max_percent, r.rapid_percents};
+         }},
+    Kind{"--spindle-override", "spindle_percent", &OverrideChoice::spindle_percent, &Overrides::spindle,
+         [](const rrs::OverrideRules& r) {
+             return Allowed{r.spindle_min_percent, r.spindle_max_percent};
+         }},
+};
+
+/// Why the controller does not take a value; empty where it does.
+std::string fault_of(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
+    if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
+        return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
+    const Allowed allowed = kind.allowed(controller.overrides);
+    if (!allowed.takes(percent))
+        return fmt::format("the controller {} takes {}", controller.model, allowed.text());
+    if (percent <= 0 && kind.share == &Overrides::spindle)
+        return "a spindle at 0 % would never let go on what follows it";
+    return {};
+}
+
+class ChangesReader {
+  public:
+    ChangesReader(base::FirstError& error, const Overrides& first, const rrs::ControllerRules& controller)
+        : error_(error), controller_(controller), changes_{{0, first}} {}
+
+    std::vector<OverrideChange> read(const toml::table& root) {
+        base::TomlSection file(error_, root, "a file of overrides", kOverrideFileKeys);
+        for (const toml::table* table : file.tables("override")) read_change(*table);
+        if (changes_.size() > 1 && changes_.front() == OverrideChange{}) changes_.erase(changes_.begin());
+        return std::move(changes_);
+    }
+
+  private:
+    void read_change(const toml::table& table) {
+        base::TomlSection section(error_, table, "[[override]]", kChangeKeys);
+        section.require("at_s");
+        OverrideChange change = changes_.back();
+        change.at_s = section.number("at_s", 0, NumberRule::not_negative);
+        bool turns = false;
+        for (const Kind& kind : kKindsOfOverride) turns = read_share(section, kind, change.to) || turns;
+        if (!turns)
+            section.fail("at_s",
+                         "[[override]] turns nothing: it takes feed_percent, rapid_percent and "
+                         "spindle_percent");
+        if (change.at_s == 0 && is_first_) {
+            changes_.back() = change;
+        } else if (change.at_s > changes_.back().at_s) {
+            changes_.push_back(change);
+        } else {
+            section.fail("at_s", fmt::format("'at_s' is {:g}, not behind the one above, {:g}", change.at_s,
+                                             changes_.back().at_s));
+        }
+        is_first_ = false;
+    }
+
+    bool read_share(base::TomlSection& section, const Kind& kind, Overrides& to) {
+        if (!section.has(kind.key)) return false;
+        const double percent = section.number(kind.key, 100, NumberRule::not_negative);
+        if (const std::string fault = fault_of(kind, percent, controller_); !fault.empty())
+            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, fault));
+        to.*kind.share = percent / 100;
+        return true;
+    }
+
+    base::FirstError& error_;
+    const rrs::ControllerRules& controller_;
+    std::vector<OverrideChange> changes_;
+    bool is_first_ = true;
+};
+
+}  // namespace
+
+tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_view toml_text,
+                                                                  std::string_view file_name,
+                                                                  const Overrides& first,
+                                                                  const rrs::ControllerRules& controller) {
+    base::FirstError error(file_name);
+    const toml::table root = base::parse_toml(error, toml_text);
+    std::vector<OverrideChange> changes = ChangesReader(error, first, controller).read(root);
+    const Overrides& last = changes.back().to;
+    if (last.feed <= 0 || last.rapid <= 0) {
+        error.report(root.source().end,
+                     "the last [[override]] leaves the machine held (0 %): the run would "
+                     "never end");
+    }
+    if (error.text()) return tl::unexpected(*error.text());
+    return OverrideSchedule(std::move(changes));
+}
+
+tl::expected<OverrideSchedule, std::string> read_overrides(const os::Files& files,
+                                                           const OverrideChoice& choice,
+                                                           const rrs::ControllerRules& controller) {
+    Overrides first;
+    for (const Kind& kind : kKindsOfOverride) {
+        const auto& percent = choice.*kind.percent;
+        if (!percent) continue;
+        if (const std::string fault = fault_of(kind, *percent, controller); !fault.empty())
+            return tl::unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, fault));
+        if (*percent <= 0) {
+            return tl::unexpected(
+                fmt::format("{} 0 would hold the machine for ever; a file of changes (--overrides) may hold "
+                            "it for a time",
+                            kind.option));
+        }
+        first.*kind.share = *percent / 100;
+    }
+    if (!choice.file.empty()) {
+        const auto text = files.read_text(choice.file, os::NamedBy::command_line);
+        if (!text) return tl::unexpected(text.error());
+        return read_override_changes(*text, choice.file, first, controller);
+    }
+    if (choice.turns_nothing()) return OverrideSchedule();
+    return OverrideSchedule({{0, first}});
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,73 @@
+#include "engine/src/run/process_words.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text/format.h"
+
+namespace gsim::engine {
+
+namespace {
+
+using machine::SwitchWord;
+
+const grammar::Code* code_of(const SwitchWord& word, const grammar::Dialect& dialect) {
+    return dialect.find('M', word.code * 10);
+}
+
+bool is_word_of(const SwitchWord& word, const grammar::Dialect& dialect) {
+    const grammar::Code* code = code_of(word, dialect);
+    return code != nullptr && std::all_of(word.words.begin(), word.words.end(), [&](const auto& each) {
+               return code->words.find(each.first) != std::string_view::npos;
+           });
+}
+
+std::optional<std::string> fault_of_word(const SwitchWord& word) {
+    const std::array dialects{&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()};
+    const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_of(word, *dialect); };
+    if (std::any_of(dialects.begin(), dialects.end(), has_word)) return std::nullopt;
+    const auto has_code = [&](const grammar::Dialect* dialect) { return code_of(word, *dialect) != nullptr; };
+    if (std::any_of(dialects.begin(), dialects.end(), has_code))
+        return fmt::format("[process]: M{} takes no such words as in {}", word.code, word.text());
+    return fmt::format(
+        "[process]: M{} is no code of ab9 or rs274ngc; user codes are M100 to M199, of ab9 to M999",
+        word.code);
+}
+
+bool any_of_dialect(const std::vector<SwitchWord>& words, const grammar::Dialect& dialect) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const SwitchWord& word) { return is_word_of(word, dialect); });
+}
+
+std::string texts(const std::vector<SwitchWord>& words) {
+    std::vector<std::string> list;
+    list.reserve(words.size());
+    for (const SwitchWord& word : words) list.push_back(word.text());
+    return text::joined(list, ", ");
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_process(const machine::Process& process) {
+    for (const auto* words : {&process.on, &process.off}) {
+        for (const SwitchWord& word : *words) {
+            if (auto fault = fault_of_word(word)) return fault;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of_process(const machine::Process& process,
+                                            const grammar::Dialect& dialect) {
+    for (const auto& [words, way] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
+        if (any_of_dialect(*words, dialect)) continue;
+        return fmt::format("[process]: the {} is switched {} by {}, and {} has none of these",
+                           machine::name(process.kind), way, texts(*words), dialect.name());
+    }
+    return std::nullopt;
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,83 @@
+#include "engine/src/run/program_run.h"
+
+#include <limits>
+
+#include "engine/src/run/language.h"
+#include "engine/src/run/word_table.h"
+
+namespace gsim::engine {
+
+namespace {
+
+/// As many bytes as this system can count; where that is less, as many as it can.
+std::size_t countable(std::uint64_t bytes) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
+    return static_cast<std::size_t>(bytes > kMost ? kMost : bytes);
+}
+
+script::Engine::Options options_of(const Request& request, RunInputs& inputs, const RunTools& tools,
+                                   ShowProgress progress) {
+    script::Engine::Options options = engine_options(request, std::move(inputs.data), inputs.language, tools);
+    options.setup = std::move(inputs.setup);
+    options.progress = std::move(progress);
+    return options;
+}
+
+}  // namespace
+
+SharedLibrary::SharedLibrary() : compiled_(std::make_shared<script::CompiledLibrary>()) {}
+
+simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu) {
+    return {.max_time_s = request.limits.machine_s,
+            .max_blocks = request.limits.blocks,
+            .cpu = &cpu,
+            .stop_at_first = request.stop_at_first};
+}
+
+script::Engine::Options engine_options(const Request& request, machine::MachineData data,
+                                       const Language& language, const RunTools& tools) {
+    const os::Files& files = request.host.files.inner();
+    script::Engine::Options options;
+    options.limits.memory_bytes = countable(request.limits.memory_bytes);
+    options.limits.steps = request.limits.steps;
+    options.cpu = &tools.cpu;
+    if (!request.library.empty()) {
+        options.library = script::Library(request.library, files);
+    } else if (request.shared_library) {
+        options.library = script::Library(request.shared_library->inner());
+    }
+    options.data = std::move(data);
+    options.find_program = program_finder(files, request.program, language, tools.tell);
+    options.find_module = module_finder(files, request.program, request.limits.memory_bytes);
+    options.dialect = language.dialect->name();
+    options.codes = word_table(*language.dialect);
+    options.unit_mm = start_unit_mm(language);
+    options.block_delete = request.block_delete;
+    options.passes = request.passes;
+    options.optional_stop = request.optional_stop;
+    return options;
+}
+
+ProgramRun::ProgramRun(const FoundRequest& found, RunInputs inputs, const RunTools& tools,
+                       ShowProgress progress)
+    : remedy_(found, inputs, tools.cpu),
+      simulator_(std::move(inputs.machine), run_limits(found.request, tools.cpu), std::move(inputs.module)),
+      cell_(std::move(inputs.cell)),
+      document_(std::move(inputs.document)),
+      program_(inputs.program.file_name),
+      script_(std::move(inputs.program)),
+      engine_(simulator_, options_of(found.request, inputs, tools, std::move(progress))) {
+    simulator_.set_cell(*cell_);
+    simulator_.set_probe(inputs.probe);
+    if (!inputs.overrides.changes().empty()) simulator_.set_overrides(inputs.overrides);
+}
+
+simulation::Report ProgramRun::run() {
+    engine_.run(std::move(script_));
+    simulation::Report report = simulator_.finish(program_);
+    engine_.report(report);
+    remedy_.look_for(report);
+    return report;
+}
+
+}  // namespace gsim::engine

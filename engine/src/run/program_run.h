@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "engine/src/run/remedy.h"
+#include "engine/src/run/run_inputs.h"
+#include "runtime/report/report.h"
+#include "runtime/script/engine/engine.h"
+
+namespace gsim::engine {
+
+using ShowProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// How a request sets the interpreter of scripts up. The request, and what `tell` refers to, must outlive it.
+script::Engine::Options engine_options(const Request& request, machine::MachineData data,
+                                       const Language& language, const RunTools& tools);
+
+/// The bounds of a simulator.
+simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu);
+
+/// One program on one simulated machine, made of what was read for it.
+class ProgramRun {
+  public:
+    /// Nothing has moved yet; all that is given must outlive the run.
+    ProgramRun(const FoundRequest& found, RunInputs inputs, const RunTools& tools, ShowProgress progress);
+
+    simulation::Simulator& simulator() { return simulator_; }
+    script::Engine& engine() { return engine_; }
+    machine::MachineDataDocument& document() { return document_; }
+    /// Name of the program.
+    const std::string& program() const { return program_; }
+
+    /// Runs to the end, an alarm or a limit; what happened.
+    simulation::Report run();
+
+  private:
+    Remedy remedy_;
+    simulation::Simulator simulator_;
+    std::unique_ptr<simulation::CellWatch> cell_;
+    machine::MachineDataDocument document_;
+    std::string program_;
+    script::Script script_;
+    script::Engine engine_;
+};
+
+}  // namespace gsim::engine

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "engine/src/run/program_run.h"
+#include "engine/src/run/run_inputs.h"
+#include "runtime/monitors/robots_watch.h"
+#include "runtime/processes/robots_file.h"
+#include "runtime/report/robots_report.h"
+#include "runtime/script/engine/engine.h"
+
+namespace gsim::engine {
+
+/// A script that moves several robots.
+class RobotsRun {
+  public:
+    /// All that one robot needs for the run; it stays where it is.
+    struct Station {
+        process::RobotEntry entry;
+        std::unique_ptr<simulation::CellWatch> cell;
+        std::unique_ptr<simulation::Simulator> simulator;
+        Language language;
+        machine::MachineData data;
+    };
+
+    /// Reads the file of robots, and what it names. What is given must outlive the run.
+    static tl::expected<RobotsRun, InputError> open(const FoundRequest& found, const RunTools& tools);
+
+    std::vector<Station>& stations() { return stations_; }
+    const std::vector<Station>& stations() const { return stations_; }
+    const std::string& program() const { return program_; }
+
+    /// Reads the program.
+    tl::expected<void, InputError> prepare(OpenedScript& opened, ShowProgress progress);
+    /// Runs it. Reports of the robots, in their order, without what documents add.
+    std::vector<simulation::RobotReport> run();
+    /// The whole, of the reports of the robots.
+    simulation::RobotsReport whole(std::vector<simulation::RobotReport> robots) const;
+
+  private:
+    RobotsRun(const FoundRequest& found, const RunTools& tools) : found_(&found), tools_(&tools) {}
+
+    tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
+                                                   const std::vector<std::string>& conveyors) const;
+    tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_cell(
+        const process::RobotEntry& entry, const machine::Machine& machine,
+        const std::vector<std::string>& conveyors) const;
+    std::vector<script::Robot> robots();
+    void watch_robots();
+
+    const FoundRequest* found_;
+    const RunTools* tools_;
+    std::vector<Station> stations_;
+    std::vector<process::Conveyor> conveyors_;
+    std::vector<process::SharedZone> zones_;
+    std::string program_;
+    std::optional<script::Script> script_;
+    std::unique_ptr<simulation::RobotsWatch> watch_;
+    std::unique_ptr<script::Engine> engine_;
+};
+
+}  // namespace gsim::engine

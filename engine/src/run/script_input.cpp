@@ -1,0 +1,287 @@
+#include "engine/src/run/script_input.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/src/run/translate_program.h"
+
+namespace gsim::engine {
+
+namespace fs = std::filesystem;
+
+using script::Script;
+
+namespace {
+
+constexpr std::size_t kLookedAtBytes = 4096;
+constexpr double kMegabyte = 1U << 20U;
+
+bool has_extension(const std::string& path, std::string_view extension) {
+    return fs::path(path).extension() == extension;
+}
+
+/// Tells Lua from G-code by the first line that says something: no block of G-code begins like these.
+bool looks_like_lua(const lexer::Source& source) {
+    std::uint64_t offset = 0;
+    while (offset < source.size() && offset < kLookedAtBytes) {
+        const std::string line = source.line_at(offset, kLookedAtBytes);
+        const std::size_t begin = line.find_first_not_of(" \t");
+        if (begin == std::string::npos) {
+            offset += line.size() + 1;
+            continue;
+        }
+        if (line.find("require") != std::string::npos) return true;
+        for (const std::string_view start :
+             {"--", "local ", "function ", "for ", "rrs.", "program(", "print(", "Move"}) {
+            if (std::string_view(line).substr(begin).starts_with(start)) return true;
+        }
+        return false;
+    }
+    return false;
+}
+
+std::string read_all(lexer::Source& source) {
+    std::string text(source.size(), '\0');
+    std::size_t done = 0;
+    while (const std::size_t count = source.read(text.data() + done, text.size() - done)) done += count;
+    text.resize(done);
+    return text;
+}
+
+/// The text is held, and once more while it is compiled.
+tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
+    if (source.size() > memory_bytes / 2) {
+        return tl::unexpected(
+            fmt::format("the text of the script {} has {:.1f} MB, which is more than half of the {} MB that "
+                        "the run may use "
+                        "(--memory): it is held twice while it is compiled",
+                        source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
+    }
+    std::string text = read_all(source);
+    if (auto fault = source.fault()) return tl::unexpected(*std::move(fault));
+    const codegen::ScriptOrigin origin = codegen::script_origin(text);
+    const auto requires_name = [head = text.substr(0, kLookedAtBytes)](std::string_view name) {
+        return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
+    };
+    const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
+    const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
+    const bool klipper = requires_name("gsim.klipper");
+    const bool inch = ngc_inch || requires_name("gsim.inch");
+    // Where it comes from is what its first line says, which anybody may have written: a file that was opened
+    // is named too.
+    const bool is_file = source.name() != lexer::Source::kStandardInput;
+    const std::string from =
+        is_file ? fmt::format("{}: {}", source.name(), origin.source_name) : origin.source_name;
+    Script script = origin.unedited ? Script::from_text(std::move(text), from, -1)
+                                    : Script::from_text(std::move(text), source.name(), 0);
+    if (rs274ngc) script.dialect = "rs274ngc";
+    if (klipper) script.dialect = "klipper";
+    script.inch = inch;
+    return script;
+}
+
+std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
+    std::vector<script::ScriptChunk> chunks{{part.body_begin, part.body_end, part.first_line}};
+    for (const codegen::Cut& cut : part.cuts) {
+        if (cut.offset >= part.body_end) break;
+        chunks.back().end = cut.offset;
+        chunks.push_back({cut.offset, part.body_end, cut.line});
+    }
+    return chunks;
+}
+
+tl::expected<Script, InputError> translated_script(lexer::Source& source,
+                                                   std::shared_ptr<codegen::LuaSpool> spool,
+                                                   const Language& language, const TellDiagnostic& tell) {
+    const codegen::Translation translation = translate_source(source, *spool, language, {}, tell);
+    if (auto fault = source.fault()) return tl::unexpected(InputError{.message = *std::move(fault)});
+    if (!translation.ok) {
+        const text::Diagnostic& first = *translation.first_error;
+        return tl::unexpected(InputError{.in_program = true,
+                                         .message = fmt::format("{}: {}", text::place_of(first), first.text),
+                                         .kind = first.kind,
+                                         .first_error = first});
+    }
+    Script script;
+    script.dialect = language.dialect->name();
+    script.file_name = source.name();
+    script.line_difference = -1;
+    script.size = spool->size();
+    script.held_bytes = spool->held_bytes();
+    for (const codegen::ProgramPart& part : translation.programs)
+        script.functions.push_back({part.head, chunks_of(part)});
+    script.read = [spool = std::move(spool)](std::uint64_t begin, std::uint64_t end) {
+        return spool->read(begin, end);
+    };
+    return script;
+}
+
+/// "wheel" of wheel.nc, and of wheel_O0001.ppg.
+std::string head_name(const fs::path& main_path) {
+    const std::string stem = main_path.stem().string();
+    const std::size_t mark = stem.rfind("_O");
+    const bool numbered = mark != std::string::npos && mark + 2 < stem.size() &&
+                          stem.find_first_not_of("0123456789", mark + 2) == std::string::npos;
+    return numbered ? stem.substr(0, mark) : stem;
+}
+
+constexpr std::array kExtensions = {".nc", ".lua", ".ngc", ".tap", ".ppg", ".NC", ".NGC", ".TAP"};
+constexpr std::size_t kMaxNumberDigits = 9;
+
+bool is_number(std::string_view name) {
+    return !name.empty() && name.size() <= kMaxNumberDigits &&
+           name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Why a file there must not be read: links lead out of the folder. Nothing where it may.
+std::optional<std::string> find_way_out(const os::Files& files, const fs::path& folder,
+                                        const fs::path& name) {
+    if (files.is_within(folder, name)) return std::nullopt;
+    return fmt::format("{} is a link that leads out of the folder of the script", name.string());
+}
+
+/// Files that may hold the program with this number or, in RS274/NGC, the subroutine with this name.
+std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& wanted) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& base) {
+        for (const char* extension : kExtensions) names.push_back(base + extension);
+        names.push_back(base);
+    };
+    if (wanted.find_first_of("/\\") != std::string::npos) return names;  // beside the program, not elsewhere
+    if (std::any_of(kExtensions.begin(), kExtensions.end(),
+                    [&](const char* extension) { return has_extension(wanted, extension); })) {
+        names.push_back(wanted);
+    }
+    if (is_number(wanted)) {
+        const long number = std::stol(wanted);
+        add(fmt::format("O{:04}", number));
+        add(fmt::format("O{}", number));
+        add(fmt::format("O{:05}", number));
+        add(fmt::format("o{:04}", number));
+        add(fmt::format("o{}", number));
+        names.push_back(fmt::format("{}_O{:04}.ppg", head_name(main_path), number));
+        names.push_back(fmt::format("{}_O{:04}.nc", head_name(main_path), number));
+    }
+    add(wanted);
+    return names;
+}
+
+OpenedScript opened_as(lexer::Source source, bool lua) {
+    auto spool = std::make_shared<codegen::LuaSpool>();
+    if (!lua) spool->reserve_file();
+    return {std::move(source), lua, std::move(spool)};
+}
+
+}  // namespace
+
+fs::path folder_of_program(const std::string& main_path) {
+    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+}
+
+tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
+                                                   os::NamedBy named_by) {
+    tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path, named_by);
+    if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
+    return opened_as(*std::move(source), has_extension(path, ".lua"));
+}
+
+OpenedScript opened_text(lexer::Source text) {
+    const bool lua = has_extension(text.name(), ".lua") || looks_like_lua(text);
+    return opened_as(std::move(text), lua);
+}
+
+tl::expected<Script, InputError> read_script(OpenedScript& opened, const Language& language,
+                                             const TellDiagnostic& tell) {
+    if (!opened.is_lua) return translated_script(opened.source, std::move(opened.spool), language, tell);
+    return lua_script(opened.source, language.memory_bytes).map_error([](std::string sentence) {
+        return InputError{.message = std::move(sentence)};
+    });
+}
+
+tl::expected<Script, InputError> read_script(const os::Files& files, const std::string& path,
+                                             const Language& language, const TellDiagnostic& tell) {
+    return open_script(files, path).and_then([&](OpenedScript opened) {
+        return read_script(opened, language, tell);
+    });
+}
+
+script::FindProgram program_finder(const os::Files& files, const std::string& main_path,
+                                   const Language& language, const TellDiagnostic& tell) {
+    const fs::path main = main_path == "-" ? fs::path(lexer::Source::kStandardInput) : fs::path(main_path);
+    return [&files, main, language,
+            tell](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
+        for (const std::string& name : candidate_names(main, wanted)) {
+            const fs::path path = main.parent_path() / name;
+            if (!files.has(path) || files.are_one(path, main)) continue;
+            if (auto way_out = find_way_out(files, folder_of_program(main.string()), name))
+                return tl::unexpected(*std::move(way_out));
+            tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path.string());
+            if (!source) return tl::unexpected(source.error());
+            OpenedScript opened{*std::move(source), has_extension(name, ".lua"),
+                                std::make_shared<codegen::LuaSpool>()};
+            tl::expected<Script, InputError> script = read_script(opened, language, tell);
+            if (!script)
+                return tl::unexpected(
+                    fmt::format("the called program cannot be translated: {}", script.error().message));
+            return std::optional<Script>(std::move(*script));
+        }
+        return std::optional<Script>();
+    };
+}
+
+namespace {
+
+/// "lib/shapes.lua" for "lib.shapes"; nothing for what is no name of a module.
+std::optional<fs::path> module_file(const std::string& name) {
+    const auto is_part_of_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    };
+    fs::path path;
+    std::string part;
+    for (const char c : name + '.') {
+        if (c != '.') {
+            if (!is_part_of_name(c)) return std::nullopt;
+            part += c;
+            continue;
+        }
+        if (part.empty()) return std::nullopt;
+        path /= std::exchange(part, {});
+    }
+    return path += ".lua";
+}
+
+}  // namespace
+
+script::FindProgram module_finder(const os::Files& files, const std::string& main_path,
+                                  std::uint64_t memory_bytes) {
+    return [&files, folder = folder_of_program(main_path),
+            memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+        const std::optional<fs::path> file = module_file(name);
+        if (!file) {
+            return tl::unexpected(
+                std::string("a module's name has letters, digits, _ and -, and dots for folders within that "
+                            "of the script: \"lib.shapes\" is lib/shapes.lua there"));
+        }
+        const fs::path path = folder / *file;
+        if (!files.has(path))
+            return tl::unexpected(
+                fmt::format("there is no file {} in the folder of the script", file->string()));
+        if (auto way_out = find_way_out(files, folder, *file)) return tl::unexpected(*std::move(way_out));
+        tl::expected<lexer::Source, std::string> source =
+            lexer::Source::open(files, path.lexically_normal().string());
+        if (!source) return tl::unexpected(source.error());
+        return lua_script(*source, memory_bytes).map([](Script script) {
+            return std::optional<Script>(std::move(script));
+        });
+    };
+}
+
+}  // namespace gsim::engine
