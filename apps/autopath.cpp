@@ -5,14 +5,14 @@
 #include <string>
 
 #include "apps/confine_run.h"
-#include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
-#include "apps/print.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
 #include "base/units.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 #include "engine/drawing_path.h"
 #include "engine/system/host_of_parts.h"
 

@@ -6,9 +6,9 @@
 
 #include <tl/expected.hpp>
 
-#include "apps/command_line.h"
 #include "apps/run_arguments.h"
 #include "base/os/confinement.h"
+#include "cli/command_line.h"
 
 namespace gsim::apps {
 

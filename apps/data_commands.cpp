@@ -6,12 +6,12 @@
 
 #include "apps/confine_run.h"
 #include "apps/data_import.h"
-#include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
-#include "apps/print.h"
 #include "apps/sentence_of.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 #include "engine/system/host_of_system.h"
 
 namespace gsim::apps {

@@ -1,10 +1,10 @@
 #include "apps/data_import.h"
 
-#include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
-#include "apps/print.h"
 #include "apps/sentence_of.h"
 #include "base/os/input_file.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 #include "engine/control_settings.h"
 
 namespace gsim::apps {

@@ -2,11 +2,11 @@
 
 #include <cstdio>
 
-#include "apps/exit_status.h"
-#include "apps/print.h"
-#include "apps/usage_error.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
+#include "cli/usage_error.h"
 
 namespace gsim::apps {
 

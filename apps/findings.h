@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "apps/command_line.h"
 #include "base/text/diagnostic.h"
+#include "cli/command_line.h"
 #include "engine/diagnostic.h"
 #include "engine/findings.h"
 

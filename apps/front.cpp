@@ -7,18 +7,18 @@
 
 #include <fmt/format.h>
 
-#include "apps/completion.h"
-#include "apps/exit_status.h"
 #include "apps/findings.h"
-#include "apps/help_text.h"
-#include "apps/man_page.h"
-#include "apps/named_files.h"
-#include "apps/parse.h"
-#include "apps/print.h"
 #include "apps/programs.h"
-#include "apps/suggestion.h"
-#include "apps/usage_error.h"
-#include "apps/version.h"
+#include "cli/completion.h"
+#include "cli/exit_status.h"
+#include "cli/help_text.h"
+#include "cli/man_page.h"
+#include "cli/named_files.h"
+#include "cli/parse.h"
+#include "cli/print.h"
+#include "cli/suggestion.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
 
 namespace gsim::apps {
 

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "apps/confine_run.h"
-#include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/language_options.h"
 #include "apps/limit_options.h"
-#include "apps/print.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 #include "engine/system/host_of_system.h"
 #include "engine/translation.h"
 

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "apps/confine_run.h"
-#include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/programs.h"
 #include "apps/run_arguments.h"
+#include "cli/exit_status.h"
 #include "engine/machine.h"
 #include "engine/run.h"
 #include "engine/system/host_of_system.h"

@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "apps/exit_status.h"
 #include "apps/programs.h"
 #include "apps/served_names.h"
-#include "apps/usage_error.h"
-#include "apps/version.h"
 #include "base/os/installation.h"
 #include "base/text/json.h"
+#include "cli/exit_status.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
 #include "engine/request.h"
 
 namespace gsim::apps {

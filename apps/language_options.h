@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "apps/command_line.h"
+#include "cli/command_line.h"
 #include "engine/request.h"
 
 namespace gsim::apps {

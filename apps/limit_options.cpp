@@ -1,6 +1,6 @@
 #include "apps/limit_options.h"
 
-#include "apps/exit_status.h"
+#include "cli/exit_status.h"
 
 namespace gsim::apps {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "apps/command_line.h"
 #include "base/os/cpu_limit.h"
+#include "cli/command_line.h"
 #include "engine/request.h"
 
 namespace gsim::apps {

@@ -5,8 +5,8 @@
 
 #include <tl/expected.hpp>
 
-#include "apps/command_line.h"
 #include "base/os/file_lock.h"
+#include "cli/command_line.h"
 
 namespace gsim::apps {
 

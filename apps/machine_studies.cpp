@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/exit_status.h"
-#include "apps/print.h"
 #include "apps/sentence_of.h"
 #include "base/os/output_file.h"
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 
 namespace gsim::apps {
 

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "apps/command_line.h"
+#include "cli/command_line.h"
 #include "engine/machine.h"
 
 namespace gsim::apps {

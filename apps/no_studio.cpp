@@ -2,7 +2,7 @@
 
 #include "apps/programs.h"
 #include "apps/studio_answer.h"
-#include "apps/usage_error.h"
+#include "cli/usage_error.h"
 
 namespace gsim::apps {
 

@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "apps/confine_run.h"
-#include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
 #include "apps/program_files.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
 #include "base/text/format.h"
+#include "cli/exit_status.h"
 #include "engine/path_translation.h"
 #include "engine/system/host_of_system.h"
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "apps/front.h"
-#include "apps/out_of_memory.h"
-#include "apps/print.h"
 #include "base/os/standard_streams.h"
 #include "base/os/temporary_name.h"
+#include "cli/out_of_memory.h"
+#include "cli/print.h"
 
 namespace gsim::apps {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "apps/program.h"
+#include "cli/program.h"
 
 namespace gsim::apps {
 

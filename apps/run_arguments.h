@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <string>
 
-#include "apps/command_line.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
 #include "apps/machine_data_file.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
+#include "cli/command_line.h"
 #include "engine/request.h"
 
 namespace gsim::apps {

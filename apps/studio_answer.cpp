@@ -18,13 +18,13 @@
 #include <sys/prctl.h>
 
 #include "apps/confine_run.h"
-#include "apps/exit_status.h"
-#include "apps/usage_error.h"
 #include "base/os/bound_folder.h"
 #include "base/os/file_handle.h"
 #include "base/os/installation.h"
 #include "base/text/base64.h"
 #include "base/text/json.h"
+#include "cli/exit_status.h"
+#include "cli/usage_error.h"
 #include "engine/system/host_of_parts.h"
 #include "studio/engine/lean_message.h"
 #include "studio/engine/session.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/command_line.h"
 #include "batch/run_arguments.h"
+#include "cli/command_line.h"
 
 namespace gsim::batch {
 

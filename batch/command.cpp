@@ -9,13 +9,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "apps/exit_status.h"
-#include "apps/help_text.h"
-#include "apps/named_files.h"
-#include "apps/own_pages.h"
-#include "apps/parse.h"
-#include "apps/print.h"
-#include "apps/usage_error.h"
 #include "base/os/input_file.h"
 #include "base/os/installation.h"
 #include "base/os/output_file.h"
@@ -33,6 +26,13 @@
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
 #include "batch/write_text.h"
+#include "cli/exit_status.h"
+#include "cli/help_text.h"
+#include "cli/named_files.h"
+#include "cli/own_pages.h"
+#include "cli/parse.h"
+#include "cli/print.h"
+#include "cli/usage_error.h"
 #include "engine/system/picture.h"
 
 namespace gsim::batch {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/print.h"
-#include "apps/usage_error.h"
 #include "batch/command.h"
+#include "cli/print.h"
+#include "cli/usage_error.h"
 
 int main(int argc, char** argv) {
     try {

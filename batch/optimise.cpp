@@ -9,13 +9,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "apps/command_line.h"
-#include "apps/exit_status.h"
-#include "apps/named_files.h"
-#include "apps/own_pages.h"
-#include "apps/parse.h"
-#include "apps/print.h"
-#include "apps/usage_error.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
@@ -26,6 +19,13 @@
 #include "batch/slurm/waiting.h"
 #include "batch/stopping.h"
 #include "batch/write_text.h"
+#include "cli/command_line.h"
+#include "cli/exit_status.h"
+#include "cli/named_files.h"
+#include "cli/own_pages.h"
+#include "cli/parse.h"
+#include "cli/print.h"
+#include "cli/usage_error.h"
 
 namespace gsim::batch {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <thread>
 
-#include "apps/command_line.h"
 #include "batch/run/batch_run.h"
 #include "batch/slurm/cluster_batch.h"
+#include "cli/command_line.h"
 
 namespace gsim::batch {
 

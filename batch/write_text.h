@@ -4,9 +4,9 @@
 
 #include <tl/expected.hpp>
 
-#include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "cli/print.h"
 
 namespace gsim::batch {
 

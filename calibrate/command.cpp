@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "apps/print.h"
 #include "base/os/output_file.h"
+#include "cli/print.h"
 
 namespace gsim::calibrate {
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
-#include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
@@ -16,6 +15,7 @@
 #include "calibrate/geometry/geometry_outcome.h"
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
+#include "cli/print.h"
 #include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {

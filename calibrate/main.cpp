@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "apps/exit_status.h"
-#include "apps/help_text.h"
-#include "apps/named_files.h"
-#include "apps/own_pages.h"
-#include "apps/parse.h"
-#include "apps/print.h"
-#include "apps/usage_error.h"
 #include "calibrate/geometry_command.h"
 #include "calibrate/servo_command.h"
 #include "calibrate/times_command.h"
+#include "cli/exit_status.h"
+#include "cli/help_text.h"
+#include "cli/named_files.h"
+#include "cli/own_pages.h"
+#include "cli/parse.h"
+#include "cli/print.h"
+#include "cli/usage_error.h"
 
 namespace gsim::calibrate {
 

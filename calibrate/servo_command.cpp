@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/servo/servo_fit.h"
 #include "calibrate/servo/servo_record.h"
+#include "cli/print.h"
 #include "machine/file/machine_file.h"
 
 namespace gsim::calibrate {

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
-#include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
+#include "cli/print.h"
 #include "machine/file/machine_file.h"
 #include "machine/model/torque_limit.h"
 

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/parse.h"
+#include "cli/parse.h"
 #include "tests/accuracy/controller.h"
 #include "tests/accuracy/distribution.h"
 #include "tests/accuracy/estimators.h"

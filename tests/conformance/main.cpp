@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/parse.h"
+#include "cli/parse.h"
 #include "tests/conformance/compare.h"
 #include "tests/conformance/known.h"
 #include "tests/conformance/moves_reader.h"

@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/parse.h"
 #include "base/os/output_file.h"
+#include "cli/parse.h"
 #include "machine/file/machine_file.h"
 #include "tests/accuracy/controller.h"
 #include "tests/calibrate/black_box/black_box.h"

@@ -1,4 +1,4 @@
-#include "apps/suggestion.h"
+#include "cli/suggestion.h"
 
 #include <fmt/format.h>
 

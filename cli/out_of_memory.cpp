@@ -1,4 +1,4 @@
-#include "apps/out_of_memory.h"
+#include "cli/out_of_memory.h"
 
 #include <array>
 #include <cerrno>
@@ -8,8 +8,8 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-#include "apps/exit_status.h"
 #include "base/os/temporary_name.h"
+#include "cli/exit_status.h"
 
 namespace gsim::apps {
 

@@ -1,12 +1,12 @@
-#include "apps/man_page.h"
+#include "cli/man_page.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "apps/help_text.h"
-#include "apps/version.h"
 #include "base/text/letter_case.h"
+#include "cli/help_text.h"
+#include "cli/version.h"
 
 namespace gsim::apps {
 

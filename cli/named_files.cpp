@@ -1,4 +1,4 @@
-#include "apps/named_files.h"
+#include "cli/named_files.h"
 
 #include <algorithm>
 #include <set>

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "apps/command_line.h"
+#include "cli/command_line.h"
 
 namespace gsim::apps {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "apps/command_line.h"
+#include "cli/command_line.h"
 
 namespace gsim::apps {
 

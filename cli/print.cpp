@@ -1,4 +1,4 @@
-#include "apps/print.h"
+#include "cli/print.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/exit_status.h"
+#include "cli/exit_status.h"
 
 namespace gsim::apps {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/command_line.h"
+#include "cli/command_line.h"
 
 namespace gsim::apps {
 

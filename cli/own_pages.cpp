@@ -1,11 +1,11 @@
-#include "apps/own_pages.h"
+#include "cli/own_pages.h"
 
 #include <string_view>
 
-#include "apps/exit_status.h"
-#include "apps/man_page.h"
-#include "apps/own_completion.h"
-#include "apps/print.h"
+#include "cli/exit_status.h"
+#include "cli/man_page.h"
+#include "cli/own_completion.h"
+#include "cli/print.h"
 
 namespace gsim::apps {
 

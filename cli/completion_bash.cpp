@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "apps/completion.h"
-#include "apps/own_completion.h"
 #include "base/text/format.h"
+#include "cli/completion.h"
+#include "cli/own_completion.h"
 
 namespace gsim::apps {
 

@@ -1,4 +1,4 @@
-#include "apps/help_text.h"
+#include "cli/help_text.h"
 
 #include <sstream>
 #include <utility>

@@ -1,14 +1,14 @@
 // The one unit that includes CLI11, which takes ten seconds to compile.
-#include "apps/parse.h"
+#include "cli/parse.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "apps/exit_status.h"
-#include "apps/help_text.h"
-#include "apps/print.h"
-#include "apps/suggestion.h"
-#include "apps/version.h"
+#include "cli/exit_status.h"
+#include "cli/help_text.h"
+#include "cli/print.h"
+#include "cli/suggestion.h"
+#include "cli/version.h"
 
 namespace gsim::apps {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/exit_status.h"
-#include "apps/print.h"
 #include "base/text/printable.h"
+#include "cli/exit_status.h"
+#include "cli/print.h"
 
 namespace gsim::apps {
 
