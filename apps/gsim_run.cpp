@@ -17,7 +17,7 @@
 #include "apps/programs.h"
 #include "apps/run_arguments.h"
 #include "apps/run_files.h"
-#include "apps/view_page.h"
+#include "apps/studio/view_page.h"
 #include "base/os/file_lock.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"

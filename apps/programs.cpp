@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "apps/studio_answer.h"
+#include "apps/studio/studio_answer.h"
 
 namespace gsim::apps {
 

@@ -1,7 +1,7 @@
 // For WebAssembly, which the page itself runs and which has no zlib, and for gsim-first, which has no engine
 // of the page.
 
-#include "apps/view_page.h"
+#include "apps/studio/view_page.h"
 
 namespace gsim::apps {
 

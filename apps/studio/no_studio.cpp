@@ -1,7 +1,7 @@
 // Where there are no processes, there is no server of the studio.
 
 #include "apps/programs.h"
-#include "apps/studio_answer.h"
+#include "apps/studio/studio_answer.h"
 #include "cli/usage_error.h"
 
 namespace gsim::apps {

@@ -1,4 +1,4 @@
-#include "apps/gzip.h"
+#include "apps/studio/gzip.h"
 
 #include <algorithm>
 #include <array>

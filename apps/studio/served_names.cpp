@@ -1,4 +1,4 @@
-#include "apps/served_names.h"
+#include "apps/studio/served_names.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "apps/studio_answer.h"
+#include "apps/studio/studio_answer.h"
 
 #include <algorithm>
 #include <cerrno>

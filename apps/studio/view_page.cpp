@@ -1,4 +1,4 @@
-#include "apps/view_page.h"
+#include "apps/studio/view_page.h"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/gzip.h"
+#include "apps/studio/gzip.h"
 #include "base/os/input_file.h"
 #include "base/os/installation.h"
 #include "base/os/output_file.h"

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "apps/programs.h"
-#include "apps/served_names.h"
+#include "apps/studio/served_names.h"
 #include "base/os/installation.h"
 #include "base/text/json.h"
 #include "cli/exit_status.h"
