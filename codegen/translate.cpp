@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "codegen/command_writer.h"
-#include "codegen/lua_writer.h"
+#include "codegen/lua/command_writer.h"
+#include "codegen/lua/lua_writer.h"
 
 namespace gsim::codegen {
 

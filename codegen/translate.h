@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/text/diagnostic.h"
-#include "codegen/lua_spool.h"
-#include "codegen/program_map.h"
+#include "codegen/flow/program_map.h"
+#include "codegen/lua/lua_spool.h"
 #include "grammar/dialect.h"
 #include "lexer/alias.h"
 #include "lexer/source.h"

@@ -1,12 +1,12 @@
 // Comments of RS274/NGC that act, and the quoting of texts: none may end its string.
-#include "codegen/active_comment.h"
+#include "codegen/blocks/active_comment.h"
 
 #include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "codegen/lua_text.h"
+#include "codegen/lua/lua_text.h"
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 

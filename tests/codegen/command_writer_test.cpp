@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "codegen/command_line.h"
+#include "codegen/lua/command_line.h"
 #include "tests/codegen/translated.h"
 
 namespace gsim::codegen::command_writer_test {

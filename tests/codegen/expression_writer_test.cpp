@@ -1,4 +1,4 @@
-#include "codegen/expression_writer.h"
+#include "codegen/lua/expression_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a program looks like: of another dialect, or in inches.
 
-#include "codegen/program_signs.h"
+#include "codegen/blocks/program_signs.h"
 
 #include <gtest/gtest.h>
 

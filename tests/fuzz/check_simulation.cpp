@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "codegen/lua_spool.h"
+#include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"
 #include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"

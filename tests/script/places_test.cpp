@@ -1,6 +1,6 @@
 // Which line a message is of, and runs that do not know of each other.
 
-#include "codegen/lua_spool.h"
+#include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"
 #include "tests/lua_lib/run.h"
 

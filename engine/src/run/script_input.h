@@ -10,7 +10,7 @@
 
 #include "base/os/cpu_limit.h"
 #include "base/os/files.h"
-#include "codegen/lua_spool.h"
+#include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"
 #include "engine/request.h"
 #include "lexer/source.h"

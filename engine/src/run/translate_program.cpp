@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "codegen/program_signs.h"
+#include "codegen/blocks/program_signs.h"
 #include "runtime/simulator/run_limits.h"
 
 namespace gsim::engine {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "codegen/lua_spool.h"
+#include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"
 #include "engine/src/run/script_input.h"
 

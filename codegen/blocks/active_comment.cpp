@@ -1,0 +1,166 @@
+#include "codegen/blocks/active_comment.h"
+
+#include <array>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
+#include "codegen/lua/lua_text.h"
+#include "codegen/lua/word_writer.h"
+
+namespace gsim::codegen {
+
+namespace {
+
+enum class Takes : unsigned char { nothing, text, values };
+
+struct Active {
+    std::string_view name;
+    Takes takes;
+    bool needs_comma;
+};
+
+constexpr std::array kActive = {
+    Active{"MSG", Takes::text, true},
+    Active{"DEBUG", Takes::values, true},
+    Active{"PRINT", Takes::values, true},
+    Active{"LOGOPEN", Takes::text, true},
+    Active{"LOGAPPEND", Takes::text, true},
+    Active{"LOGCLOSE", Takes::nothing, false},
+    Active{"LOG", Takes::values, true},
+    Active{"PROBEOPEN", Takes::text, false},
+    Active{"PROBECLOSE", Takes::nothing, false},
+    Active{"ABORT", Takes::values, true},
+    Active{"PYRUN", Takes::text, true},
+    Active{"PYRELOAD", Takes::nothing, false},
+    Active{"PY", Takes::text, true},
+};
+
+constexpr std::size_t kMaxValues = 50;  // a call of Lua takes some 200 at most
+
+/// Takes a text with values apart: a format for Lua's string.format, and the values behind it.
+class ValueText {
+  public:
+    explicit ValueText(std::string_view text) : rest_(text) {
+        while (!rest_.empty()) {
+            if (rest_[0] == '#' && take_value()) continue;
+            if (rest_[0] == '%' && take_format()) continue;
+            add_plain(rest_[0]);
+            rest_.remove_prefix(1);
+        }
+    }
+    const std::string& format() const { return format_; }
+    const std::string& values() const { return values_; }
+    std::size_t count() const { return count_; }
+
+  private:
+    void add_plain(char c) {
+        format_ += c;
+        if (c == '%') format_ += c;
+    }
+
+    bool take_value() {
+        if (rest_.size() > 1 && rest_[1] == '<') {
+            const std::size_t end = rest_.find('>');
+            if (end == std::string_view::npos) return false;
+            std::string name;
+            for (const char c : text::lower(rest_.substr(2, end - 2))) {
+                if (c != ' ' && c != '\t') name += c;
+            }
+            values_ += ", parameter(";
+            write_lua_string(name, values_);
+            values_ += ')';
+            rest_.remove_prefix(end + 1);
+        } else {
+            std::size_t end = 1;
+            while (end < rest_.size() && text::is_digit(rest_[end])) ++end;
+            if (end == 1) return false;
+            values_ += numbered(rest_.substr(1, end - 1));
+            rest_.remove_prefix(end);
+        }
+        format_ += value_format_;
+        ++count_;
+        return true;
+    }
+
+    /// A number that no parameter has shows as one without a value. Comments may read the position while
+    /// cutter compensation is on, where expressions may not read #5420 to #5428.
+    static std::string numbered(std::string_view digits) {
+        const std::string number = normal_number(digits);
+        const int value = number.size() <= kMaxDigits ? std::stoi(number) : 0;
+        if (value >= kFirstPosition && value < kFirstPosition + static_cast<int>(kPositionNames.size()))
+            return fmt::format(", parameter(\"_{}\")",
+                               kPositionNames[static_cast<std::size_t>(value - kFirstPosition)]);
+        return value >= 1 && value <= kLastParameter ? fmt::format(", v[{}]", value) : ", parameter(\"\")";
+    }
+
+    /// %d, %f and %.3f: how the values behind it are written.
+    bool take_format() {
+        if (rest_.starts_with("%d")) return set_format("%.0f", 2);
+        if (rest_.starts_with("%f")) return set_format("%.4f", 2);
+        if (rest_.size() >= 4 && rest_[1] == '.' && text::is_digit(rest_[2]) && rest_[3] == 'f')
+            return set_format(std::string(rest_.substr(0, 4)), 4);
+        return false;
+    }
+
+    bool set_format(std::string format, std::size_t size) {
+        value_format_ = std::move(format);
+        rest_.remove_prefix(size);
+        return true;
+    }
+
+    static constexpr int kLastParameter = 5601;
+    static constexpr int kFirstPosition = 5420;
+    static constexpr std::string_view kPositionNames = "xyzabcuvw";  // of #5420 on: #<_x> and so on
+    static constexpr std::size_t kMaxDigits = 4;                     // of its number
+
+    std::string_view rest_;
+    std::string format_;
+    std::string values_;
+    std::string value_format_ = "%f";
+    std::size_t count_ = 0;
+};
+
+std::string_view without_blanks(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    return text;
+}
+
+const Active* find_active(std::string_view name) {
+    for (const Active& active : kActive) {
+        if (name.starts_with(active.name)) return &active;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::optional<std::string> write_active_comment(std::string_view comment, std::string& out) {
+    comment = without_blanks(comment);
+    const Active* active = find_active(text::upper(comment.substr(0, 12)));
+    if (active == nullptr) return std::nullopt;
+    std::string_view text = comment.substr(active->name.size());
+    if (active->needs_comma) {
+        if (!text.starts_with(',')) return std::nullopt;
+        text.remove_prefix(1);
+    } else {
+        text = without_blanks(text);
+    }
+    if (active->takes == Takes::nothing && !text.empty()) return std::nullopt;
+    out += active->name;
+    out += '(';
+    if (active->takes == Takes::values) {
+        const ValueText parts(text);
+        if (parts.count() > kMaxValues) return fmt::format("a comment shows at most {} values", kMaxValues);
+        write_lua_string(parts.format(), out);
+        out += parts.values();
+    } else if (active->takes == Takes::text) {
+        write_lua_string(text, out);
+    }
+    out += ") ";
+    return std::nullopt;
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/blocks/unknown_codes.h"
+#include "grammar/dialect.h"
+#include "grammar/syntax.h"
+#include "lexer/lexer.h"
+
+namespace gsim::codegen {
+
+/// One call of a library function that a block becomes.
+struct Call {
+    enum class Kind : std::uint8_t {
+        code,       ///< A G or M code.
+        letter,     ///< F, S, T, D or H by itself; ,C ,R or ,A.
+        move,       ///< Axis words that go on with the modal motion.
+        via_point,  ///< CIP
+        unknown,    ///< A code that the dialect does not have, where it is put off; stands alone.
+        computed,   ///< RS274/NGC: a G or M code without words whose number the run tells.
+    };
+    Kind kind = Kind::move;
+    grammar::Phase phase = grammar::Phase::motion;
+    const grammar::Code* code = nullptr;  ///< Of Kind::code.
+    std::uint32_t word = 0;               ///< The word that asked for the call.
+    std::uint32_t first_operand = 0;      ///< Into BlockPlan::operands().
+    std::uint32_t operand_count = 0;
+    /// Behind them: words that another code of the block has taken and that the modal motion may want too.
+    std::uint32_t shared_count = 0;
+};
+
+/// Decides what the words of a block mean together: which code takes which word, what is missing, extra,
+/// double or contradictory, and the order in which the controller executes them.
+class BlockPlan {
+  public:
+    /// Everything outlives the plan. Codes that the dialect does not have go to `unknown`, where there is
+    /// one, and are left out; else they are errors.
+    BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics,
+              UnknownCodes* unknown)
+        : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics), unknown_(unknown) {}
+
+    const grammar::Dialect& dialect() const { return dialect_; }
+    /// From here on a code that the dialect does not have becomes an alarm of the run (Kind::unknown), with a
+    /// warning: the blocks are those of a subroutine, which may never be called.
+    void put_off_unknown(UnknownCodes* put_off) { put_off_ = put_off; }
+
+    /// Plans one block of words. False where an error was reported. Valid until the next call.
+    bool plan(const grammar::Block& block);
+
+    std::span<const Call> calls() const { return calls_; }
+    /// Word indices of a call's operands.
+    std::span<const std::uint32_t> operands(const Call& call) const {
+        return std::span(operands_).subspan(call.first_operand, call.operand_count);
+    }
+    /// Word indices of what a call of the modal motion shares with other codes.
+    std::span<const std::uint32_t> shared(const Call& call) const {
+        return std::span(operands_).subspan(call.first_operand + call.operand_count, call.shared_count);
+    }
+
+  private:
+    static constexpr std::int32_t kUnowned = -1;
+
+    bool is_axis(const lexer::Word& word) const;
+    std::string hint(const lexer::Word& word) const;
+    std::uint64_t need_bits(const lexer::Word& word) const;
+    bool may_go_with_move(lexer::Address address) const;
+    bool only_moves(const grammar::Block& block);
+    bool only_a_motion(const grammar::Block& block);
+    void add_only_call(const Call& call, std::uint32_t first_operand, std::size_t words);
+    bool collect_codes(const grammar::Block& block);
+    bool add_code(const grammar::Block& block, std::uint32_t index);
+    bool add_computed_code(const grammar::Block& block, std::uint32_t index);
+    bool check_group(const grammar::Block& block, const grammar::Code& code, std::uint32_t index);
+    bool quarrel(const grammar::Block& block, const Call& a, const Call& b) const;
+    bool choose_axis_owner(const grammar::Block& block);
+    bool assign_words(const grammar::Block& block);
+    bool belongs(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
+    bool is_shared(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
+    bool may_have_corner() const;
+    bool has_target(const grammar::Block& block) const;
+    bool fail_beside_motion(const grammar::Block& block, std::uint32_t index);
+    bool assign(const grammar::Block& block, std::uint32_t index);
+    std::int32_t owner_of(const lexer::Word& word) const;
+    bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
+    bool check_all_needs(const grammar::Block& block);
+    bool check_alone(const grammar::Block& block, const Call& call);
+    void gather_operands(const grammar::Block& block);
+    void put_in_order();
+    void drop_idle_one_shots(const grammar::Block& block);
+    bool fail(const grammar::Block& block, std::uint32_t word, lexer::DiagnosticKind kind,
+              const std::string& message, const std::string& hint = {});
+
+    const grammar::Dialect& dialect_;
+    lexer::Lexer& lexer_;
+    lexer::Diagnostics& diagnostics_;
+    UnknownCodes* unknown_;
+    UnknownCodes* put_off_ = nullptr;
+    std::optional<std::uint32_t> unknown_word_;
+    bool leaves_out_block_ = false;  ///< A G code that is left out: with it all of its block.
+    bool leaves_out_words_ = false;  ///< An M code that is left out: with it words that nothing else takes.
+    std::vector<Call> calls_;
+    std::vector<std::uint32_t> operands_;
+    std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
+    std::vector<std::uint64_t> needs_;  // by call: need_bits() of its words
+    std::int32_t axis_owner_ = -1;
+};
+
+/// The letter of an address as the dialect's table writes it.
+char table_letter(lexer::Address address);
+/// True where words with this address belong to the code.
+bool takes(const grammar::Code& code, lexer::Address address);
+
+/// Centre, radius or angle of an arc, or the point that CIP goes through.
+constexpr bool is_arc_word(lexer::Address address) {
+    return (address >= 'I' && address <= 'K') || address == 'R' ||
+           (address >= lexer::kArcAngle && address <= lexer::kViaZ);
+}
+
+/// The key of an operand in the table that a library function takes: "x", "ar", "i1", "radius" for @.
+std::string_view lua_key(lexer::Address address);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "codegen/blocks/block_plan.h"
+#include "grammar/syntax.h"
+
+namespace gsim::codegen {
+
+/// Words of a block of RS274/NGC whose values must be worked out before the block acts, since what acts first
+/// may change what they read: parameters that the block sets, or the position that a change of units shows in
+/// another way. Their values stand in locals of Lua.
+class BlockValues {
+  public:
+    /// None: each word is worked out where it is executed.
+    BlockValues() = default;
+    /// The words that read parameters, where the block has settings or more than one call.
+    BlockValues(const grammar::Block& block, const BlockPlan& plan);
+
+    bool empty() const { return words_.empty(); }
+    bool has(std::uint32_t word) const;
+    /// local w1, w2 = v[5420], p.width
+    void write(const grammar::Block& block, std::string& out) const;
+    /// The local of a word that has one: w1 for the first of them.
+    void write_name(std::uint32_t word, std::string& out) const;
+
+  private:
+    std::vector<std::uint32_t> words_;  ///< In ascending order.
+};
+
+/// The settings of a block of RS274/NGC: right sides see the old values, and of several values for one
+/// parameter the last one holds.
+class Settings {
+  public:
+    /// A block has no more: Lua keeps all of a statement's values at once, in some 250 places.
+    static constexpr std::size_t kMost = 50;
+
+    explicit Settings(const grammar::Block& block);
+
+    /// v[1], v[2] = 2.0, v[1]
+    void write(std::string& out) const;
+
+  private:
+    struct Setting {
+        std::string target;
+        std::int32_t value;
+    };
+
+    const grammar::Block& block_;
+    std::vector<Setting> settings_;
+};
+
+/// Appends the assignments of a block of the 9/Series, one after the other.
+void write_assignments(const grammar::Block& block, std::string& out);
+
+}  // namespace gsim::codegen

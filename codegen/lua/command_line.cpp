@@ -1,0 +1,124 @@
+#include "codegen/lua/command_line.h"
+
+#include <algorithm>
+
+#include "base/text/letter_case.h"
+#include "base/text/trimmed.h"
+
+namespace gsim::codegen {
+
+namespace {
+
+constexpr std::size_t kReadAtOnce = std::size_t{64} << 10U;
+
+bool is_key(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+
+std::uint32_t column_of(std::size_t index) {
+    return static_cast<std::uint32_t>(index) + 1;
+}
+
+/// Runs of letters, or an asterisk, each with what stands before the next one.
+std::vector<Parameter> parameters_of(std::string_view line, std::size_t from) {
+    std::vector<Parameter> parameters;
+    while (from < line.size()) {
+        std::size_t end = from + 1;
+        if (line[from] != '*') {
+            while (end < line.size() && is_key(line[end])) ++end;
+        }
+        std::size_t next = end;
+        while (next < line.size() && !is_key(line[next]) && line[next] != '*') ++next;
+        parameters.push_back({text::upper(line.substr(from, end - from)),
+                              std::string(text::trimmed(line.substr(end, next - end), kLineBlanks)),
+                              column_of(from)});
+        from = next;
+    }
+    return parameters;
+}
+
+std::size_t first_key(std::string_view line) {
+    const auto* const key =
+        std::find_if(line.begin(), line.end(), [](char c) { return is_key(c) || c == '*'; });
+    return static_cast<std::size_t>(key - line.begin());
+}
+
+}  // namespace
+
+CommandLine command_line(std::string_view line) {
+    CommandLine read;
+    const std::size_t remark = std::min(line.find(';'), line.size());
+    if (remark < line.size()) read.remark = text::trimmed(line.substr(remark + 1), kLineBlanks);
+    line = line.substr(0, remark);
+    const std::size_t begin = std::min(line.find_first_not_of(kLineBlanks), line.size());
+    const std::size_t key = first_key(line);
+    read.column = column_of(begin);
+    if (key == line.size()) {
+        read.command = text::trimmed(line, kLineBlanks);
+        return read;
+    }
+    read.parameters = parameters_of(line, key);
+    std::size_t first = 0;
+    const bool numbered = key == begin && read.parameters[0].key == "N" && read.parameters.size() > 1;
+    if (numbered) first = 1;  // a line number is passed over
+    const Parameter& own = read.parameters[first];
+    read.command = own.key + own.value;
+    if (!numbered) read.command.insert(0, text::upper(text::trimmed(line.substr(0, key), kLineBlanks)));
+    if (numbered) read.column = own.column;
+    const std::size_t behind = own.column - 1 + own.key.size();
+    read.tail = line.substr(behind);
+    read.parameters.erase(read.parameters.begin(),
+                          read.parameters.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+    return read;
+}
+
+bool named_parameters(const CommandLine& line, std::vector<Parameter>& parameters) {
+    std::string_view rest = line.tail.substr(0, line.tail.find('#'));
+    while (!(rest = text::trimmed(rest, kLineBlanks)).empty()) {
+        const std::string_view one = rest.substr(0, rest.find_first_of(kLineBlanks));
+        rest.remove_prefix(one.size());
+        const std::size_t equals = one.find('=');
+        if (equals == std::string_view::npos) return false;
+        parameters.push_back({text::upper(one.substr(0, equals)),
+                              std::string(text::trimmed(one.substr(equals + 1), "\"'")), line.column});
+    }
+    return true;
+}
+
+bool SourceLines::fill() {
+    buffer_.erase(0, at_);
+    at_ = 0;
+    const std::size_t held = buffer_.size();
+    buffer_.resize(held + kReadAtOnce);
+    const std::size_t count = source_.read(buffer_.data() + held, kReadAtOnce);
+    buffer_.resize(held + count);
+    return count > 0;
+}
+
+bool SourceLines::next() {
+    begin_ = next_begin_;
+    line_.clear();
+    too_long_ = false;
+    bool any = false;
+    while (true) {
+        const std::size_t end = std::min(buffer_.find('\n', at_), buffer_.size());
+        const std::string_view piece = std::string_view(buffer_).substr(at_, end - at_);
+        const std::size_t room = lexer::kMaxLineBytes - line_.size();
+        too_long_ = too_long_ || piece.size() > room;
+        line_ += piece.substr(0, room);
+        any = any || !piece.empty();
+        next_begin_ += piece.size();
+        at_ = end;
+        if (at_ < buffer_.size()) break;
+        if (!fill()) {
+            if (any) ++number_;
+            return any;
+        }
+    }
+    ++at_;
+    ++next_begin_;
+    ++number_;
+    return true;
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "base/os/file_handle.h"
+#include "codegen/lua/text_hash.h"
+
+namespace gsim::codegen {
+
+/// The Lua of one translation until it is known to be whole: in memory while it is short, then in an
+/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of all that follows.
+class LuaSpool {
+  public:
+    /// Makes the temporary file now: later the process may reach no folder for it.
+    void reserve_file();
+    /// Writes the first line, to which the hash is appended by finish().
+    void write_head(std::string_view head);
+    void write(std::string_view text);
+    /// Completes the file. The error is a sentence with the reason, such as a full disk.
+    tl::expected<void, std::string> finish();
+
+    std::uint64_t size() const { return size_; }
+    /// Of memory.
+    std::size_t held_bytes() const { return buffer_.capacity(); }
+    /// Bytes [begin, end) of the finished text, all of them. The error is a sentence with the reason.
+    tl::expected<std::string, std::string> read(std::uint64_t begin, std::uint64_t end) const;
+    /// Gives the finished text to `sink`, in pieces. The error is that of read().
+    tl::expected<void, std::string> copy_to(const std::function<void(std::string_view)>& sink) const;
+
+  private:
+    void flush();
+    int write_buffer();
+    int write_hash(std::string_view digits);
+
+    os::FileHandle reserve_;  ///< What becomes file_; null: it is made then.
+    os::FileHandle file_;     ///< Null while all is in buffer_.
+    std::string buffer_;
+    std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
+    TextHash hash_;
+    std::uint64_t head_size_ = 0;  ///< Up to where the hash goes.
+    std::uint64_t size_ = 0;
+    int error_ = 0;  ///< errno of the first failure to write.
+};
+
+/// What the first line of a script says of its origin.
+struct ScriptOrigin {
+    std::string source_name;  ///< Of the G-code file; empty in a script that gcode2lua did not write.
+    bool unedited = false;    ///< The rest of the text is as it was written: Lua line n+1 is G-code line n.
+};
+
+/// Reads the first line of `lua` and compares the hash in it with the text.
+ScriptOrigin script_origin(std::string_view lua);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codegen/blocks/block_plan.h"
+#include "codegen/blocks/block_values.h"
+#include "codegen/flow/control_flow.h"
+#include "codegen/flow/jump_scan.h"
+#include "codegen/flow/oword_flow.h"
+#include "codegen/lua/lua_spool.h"
+#include "codegen/lua/part_writer.h"
+#include "grammar/parser.h"
+
+namespace gsim::codegen {
+
+/// Turns blocks into lines of Lua: line n of the source becomes line n+1. A line is put together in two
+/// buffers, statements and the comment behind them, and written when the source's line ends.
+class LuaWriter : public grammar::BlockSink {
+  public:
+    struct Options {
+        bool annotate = false;         ///< The whole source block stands behind its Lua.
+        bool warn_of_unknown = false;  ///< Codes that the dialect does not have are left out, with a warning.
+        bool inch = false;             ///< The unit in force at the start.
+    };
+
+    LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
+              lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options);
+
+    /// Writes the first line; before any block.
+    void begin_file(std::string_view source_name);
+    void take(const grammar::Block& block) override;
+    /// Closes the last program; after all blocks. Reports calls of programs that are not in the file.
+    void end_file();
+
+    const ProgramMap& map() const { return parts_.map(); }
+
+  private:
+    static bool is_plain(const grammar::Block& block);
+    void write_block(const grammar::Block& block);
+    void note_bad_block(const grammar::Block& block);
+    void write_statements(const grammar::Block& block);
+    int levels_around(const grammar::Block& block) const;
+    void write_comment_action(const grammar::Block& block, std::string& out);
+    void write_body(const grammar::Block& block);
+    void write_content(const grammar::Block& block);
+    void write_content_ngc(const grammar::Block& block);
+    void write_calls(const grammar::Block& block, const BlockValues& values);
+    void write_message(const grammar::Block& block);
+    bool write_goto_of_return(const grammar::Block& block, const Call& call);
+    std::optional<std::uint32_t> block_number(const grammar::Block& block, lexer::Slice digits,
+                                              std::uint32_t column);
+    void declare_jump(std::string& line) const;
+    void write_goto(const grammar::Block& block);
+    void note_call(const grammar::Block& block, const Call& call);
+    void open_program(const grammar::Block& block);
+    void fail_or_warn_of_twin(const grammar::Block& block, std::string_view name);
+    bool says_nothing(const grammar::Block& block);
+    void begin_function(const grammar::Block& block);
+    void write_flow(const grammar::Block& block);
+    void open_sub(const grammar::Block& block);
+    void close_program();
+    bool ends_pass(const grammar::Block& block, std::uint32_t target) const;
+    void write_jump_to(const grammar::Block& block, std::uint32_t target, std::uint32_t column);
+    void write_computed_jump();
+    void write_choice(std::span<const std::uint32_t> numbers);
+    void write_dispatcher();
+    void write_loop_dispatcher();
+    void add_comment(const grammar::Block& block);
+    void end_line();
+    void check_skip(const grammar::Block& block);
+
+    const FileScan& scan_;
+    lexer::Lexer& lexer_;
+    lexer::Diagnostics& diagnostics_;
+    LuaSpool& spool_;
+    Options options_;
+    UnknownCodes unknown_;
+    UnknownCodes put_off_;
+    BlockPlan plan_;
+    ControlFlow flow_;
+    OWordFlow oword_flow_;
+    PartWriter parts_;
+    std::string code_;
+    std::string comment_;
+    bool plain_line_ = true;  ///< Of the blocks of the line that is being put together.
+    std::size_t next_ordinal_ = 0;
+    bool main_ended_ = false;  ///< By M2 or M30: subroutines may follow, and nothing else.
+    int bare_labels_ = 0;      ///< Labels since the last statement.
+    std::set<std::string> defined_;
+    std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.
+    std::map<std::uint32_t, lexer::Location> called_;
+};
+
+}  // namespace gsim::codegen
