@@ -20,10 +20,10 @@ configure_file(cmake/gsim.pc.in gsim.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/gsim.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT development)
 install(FILES controller/module/rcs_module.h controller/module/rcs_services.def DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gsim COMPONENT development)
 # The example finds the header where a maker of modules has it.
-file(READ tests/rrs/modules/small_module.c example)
+file(READ tests/controller/modules/small_module.c example)
 string(REPLACE "\"controller/module/rcs_module.h\"" "<gsim/rcs_module.h>" example "${example}")
 file(CONFIGURE OUTPUT examples/small_module.c CONTENT "${example}" @ONLY)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/rrs/modules/small_module.c)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/controller/modules/small_module.c)
 install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)
 
 # The engine as a library: headers find each other as <gsim/engine/run.h>, wherever they lie.

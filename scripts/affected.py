@@ -90,18 +90,18 @@ def affected_folders(since):
 
 
 def test_folders():
-    return sorted(folder(name) for name in tracked("tests/*/CMakeLists.txt") if name.count("/") == 2)
+    return sorted(folder(name) for name in tracked("tests/**/CMakeLists.txt") if name != "tests/CMakeLists.txt")
 
 
 def tests_of(folders):
-    """Of a folder the tests are those of its name; where there are none, those that include it."""
+    """Of a folder the tests are in the folder of the same name below tests/, or of the one above it; if there are none, those that include it."""
     known = test_folders()
     found = set()
     uses = {test: {folder(header) for name in tracked(f"{test}/*.cpp", f"{test}/*.h") for header in INCLUDE.findall(Path(name).read_text(encoding="utf-8"))}
             for test in known}
     for one in folders:
-        own = [test for test in known if one == test or one.startswith(test + "/") or Path(one).name == Path(test).name]
-        found.update(own or [test for test in known if one in uses[test]])
+        own = [test for test in known if f"{one}/".startswith((f"{test}/", f"{test.removeprefix('tests/')}/"))]
+        found.update([max(own, key=len)] if own else [test for test in known if one in uses[test]])
     return sorted(found)
 
 

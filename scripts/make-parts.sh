@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the STEP files of samples/parts anew, by OpenCASCADE, from the models in tests/solid. Usage: scripts/make-parts.sh [BUILD]
+# Writes the STEP files of samples/parts anew, by OpenCASCADE, from the models in tests/cam/solid. Usage: scripts/make-parts.sh [BUILD]
 set -eu
 cd "$(dirname "$0")/.."
 build=${1:-build}

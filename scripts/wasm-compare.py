@@ -41,7 +41,7 @@ LEFT_OUT_SAMPLES = {
 
 # What takes a process or a loaded module, which a guest has not.
 LEFT_OUT = {
-    "gsim run --rcs MODULE": "loads a shared library (tests/rrs, which no golden program or sample names)",
+    "gsim run --rcs MODULE": "loads a shared library (tests/controller, which no golden program or sample names)",
     "gsim run --plot FILE": "starts gnuplot; what it is given to draw are the moves of the reports that are compared",
     "gsim path PART.step, PART.iges": "starts gsim-solid",
 }

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
-#include "tests/apps/bare_machine.h"
+#include "tests/apps/machines/bare_machine.h"
 #include "tests/apps/run_program.h"
 #include "tests/build_files/build_files.h"
 

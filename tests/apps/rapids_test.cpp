@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
+#include "tests/apps/robots/slides.h"
 #include "tests/apps/run_program.h"
-#include "tests/apps/slides.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::apps::rapids_test {

@@ -8,7 +8,7 @@
 
 #include "tests/apps/run_program.h"
 #include "tests/build_files/build_files.h"
-#include "tests/studio/frames.h"
+#include "tests/studio/engine/frames.h"
 
 namespace gsim::apps::view_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "tests/conformance/compare.h"
-#include "tests/conformance/ngc_generator.h"
+#include "tests/conformance/generator/ngc_generator.h"
 #include "tests/conformance/reference_interpreter.h"
 
 namespace gsim::conformance {

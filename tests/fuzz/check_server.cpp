@@ -10,7 +10,7 @@
 
 #include "studio/server/studio_server.h"
 #include "tests/fuzz/checks.h"
-#include "tests/server/memory_stream.h"
+#include "tests/studio/server/memory_stream.h"
 
 namespace gsim::fuzz {
 namespace {

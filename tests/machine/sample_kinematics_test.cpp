@@ -11,8 +11,8 @@
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/chain.h"
 #include "tests/build_files/build_files.h"
-#include "tests/kinematics/kdl_chain.h"
-#include "tests/kinematics/random_pose.h"
+#include "tests/motion/kinematics/kdl_chain.h"
+#include "tests/motion/kinematics/random_pose.h"
 
 namespace gsim::machine::sample_kinematics_test {
 namespace {

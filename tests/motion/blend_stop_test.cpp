@@ -1,6 +1,6 @@
 // StopMotion and ContinueMotion with a look-ahead that rounds corners within a tolerance.
 
-#include "tests/motion/linuxcnc_run.h"
+#include "tests/motion/linuxcnc/linuxcnc_run.h"
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/stop_way.h"
 

@@ -7,7 +7,7 @@
 
 #include "motion/kinematics/gantry.h"
 #include "motion/services/default_planner.h"
-#include "tests/kinematics/chains.h"
+#include "tests/motion/kinematics/chains.h"
 
 namespace gsim::motion {
 

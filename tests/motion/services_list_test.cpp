@@ -8,8 +8,8 @@
 
 #include "controller/services/service_call.h"
 #include "controller/services/services.h"
+#include "tests/controller/service_values.h"
 #include "tests/motion/planner_under_test.h"
-#include "tests/rrs/service_values.h"
 
 namespace gsim::motion::services_list_test {
 namespace {

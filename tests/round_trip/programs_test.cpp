@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "tests/build_files/build_files.h"
-#include "tests/lua_lib/roundtrip_generator.h"
-#include "tests/lua_lib/roundtrip_text.h"
+#include "tests/lua_lib/roundtrip/roundtrip_generator.h"
+#include "tests/lua_lib/roundtrip/roundtrip_text.h"
 #include "tests/round_trip/random_modes.h"
 #include "tests/round_trip/way_round.h"
 

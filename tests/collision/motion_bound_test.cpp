@@ -1,0 +1,177 @@
+#include "collision/pairs/motion_bound.h"
+
+#include <gtest/gtest.h>
+
+#include "collision/pairs/segment_motion.h"
+#include "tests/collision/random_motion.h"
+
+namespace gsim::cell::motion_bound_test {
+namespace {
+
+using Eigen::Vector3d;
+using motion::Segment;
+
+constexpr int kSteps = 200;
+
+double distance_to_chord(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
+    const Vector3d way = to - from;
+    const double share = way.squaredNorm() > 0 ? (point - from).dot(way) / way.squaredNorm() : 0;
+    return (point - from - std::clamp(share, 0.0, 1.0) * way).norm();
+}
+
+/// What points of a body really do in a part of a motion, by samples.
+MotionBound measured(const SegmentMotion& motion, const MotionPart& part, const std::vector<Vector3d>& points,
+                     int link, int from) {
+    const auto place = [&](double t_s, const Vector3d& point) -> Vector3d {
+        const LinkFrames links = motion.links_at(t_s);
+        return links[static_cast<std::size_t>(from)].inverse() *
+               (links[static_cast<std::size_t>(link)] * point);
+    };
+    MotionBound most;
+    for (const Vector3d& point : points) {
+        double way = 0;
+        Vector3d last = place(part.from_s, point);
+        const Vector3d start = last;
+        const Vector3d end = place(part.to_s, point);
+        for (int step = 1; step <= kSteps; ++step) {
+            const Vector3d at = place(part.from_s + (part.to_s - part.from_s) * step / kSteps, point);
+            way += (at - last).norm();
+            most.bend_mm = std::max(most.bend_mm, distance_to_chord(at, start, end));
+            last = at;
+        }
+        most.way_mm = std::max(most.way_mm, way);
+    }
+    return most;
+}
+
+TEST(MotionBound, HoldsForRandomChainsAndMotions) {
+    std::mt19937 random(11);
+    for (int i = 0; i < 60; ++i) {
+        const int tool_joints = 3 + i % 4;
+        const auto chain = random_chain(random, tool_joints);
+        Segment segment = random_segment(random, random_start(random));
+        if (i % 4 == 3) segment.beside = std::make_shared<const Segment>(segment);
+        const SegmentMotion motion(chain, segment);
+        const int link = 1 + static_cast<int>(random() % 6);
+        const int from = static_cast<int>(random() % 7);
+        const Vector3d middle = random_vector(random, 50);
+        std::vector<Vector3d> points;
+        for (int p = 0; p < 4; ++p) points.emplace_back(middle + 20 * random_vector(random, 1).normalized());
+        MotionPart part = motion.whole();
+        for (int halving = 0; halving < 3; ++halving) {
+            const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
+            const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from));
+            const MotionBound found = measured(motion, part, points, link, from);
+            EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
+            EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
+            const LinkFrames half = motion.links_at(part.middle_s());
+            part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
+        }
+    }
+}
+
+// Links that drift in the world, on a link of the machine and on each other.
+TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
+    std::mt19937 random(17);
+    for (int i = 0; i < 60; ++i) {
+        const auto chain = random_chain(random, 3 + i % 4);
+        const Segment segment = random_segment(random, random_start(random));
+        const std::array<int, 3> parents{0, 1 + i % 6, 7};
+        std::vector<DriftingLink> drifting;
+        for (const int parent : parents) {
+            drifting.push_back({parent, random_pose(random, 100),
+                                drift_between(random_pose(random, 100), random_pose(random, 100), 0,
+                                              segment.duration_s * between(random, 1, 5))});
+        }
+        const SegmentMotion motion(chain, segment, drifting);
+        const int link = static_cast<int>(random() % 10);
+        const int from = static_cast<int>(random() % 10);
+        const Vector3d middle = random_vector(random, 50);
+        const std::vector<Vector3d> points{middle, middle + 20 * random_vector(random, 1).normalized()};
+        MotionPart part = motion.whole();
+        for (int halving = 0; halving < 3; ++halving) {
+            const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
+            const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from, parents));
+            const MotionBound found = measured(motion, part, points, link, from);
+            EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
+            EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
+            const LinkFrames half = motion.links_at(part.middle_s());
+            part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
+        }
+    }
+}
+
+// The tool on a great circle while its tip goes on, in proportion to the way or to the time.
+TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
+    std::mt19937 random(13);
+    const machine::Machine machine = af5();
+    const auto kinematics = machine::make_kinematics(machine);
+    ASSERT_TRUE(kinematics->tilting_head());
+    int found = 0;
+    for (int i = 0; i < 60; ++i) {
+        const rrs::JointPos start = joints(0, 0, 0, between(random, -1, 1), between(random, 0.05, 1.4));
+        const rrs::JointPos end = joints(30, 40, 0, between(random, -1, 1), between(random, 0.05, 1.4));
+        const auto circle = motion::OrientationArc::between(*kinematics->tilting_head(), start, end);
+        if (!circle) continue;
+        ++found;
+        Segment segment = line(0, start, end, {50, 490});
+        segment.orientation = std::make_shared<const motion::OrientationArc>(*circle);
+        if (i % 2 == 0) segment.beside = std::make_shared<const Segment>(line(0, start, start, {50, 490}));
+        const SegmentMotion motion(*kinematics, segment);
+        MotionPart part = motion.whole();
+        for (int halving = 0; halving < 4; ++halving) {
+            const Vector3d middle = random_vector(random, 100);
+            const Ball ball{part.from[5] * middle, 0};
+            const MotionBound bound = part.chain.bound(ball, joints_between(*kinematics, 5, 0));
+            const MotionBound really = measured(motion, part, {middle}, 5, 0);
+            EXPECT_LE(really.way_mm, bound.way_mm + 1e-9);
+            EXPECT_LE(really.bend_mm, bound.bend_mm + 1e-9);
+            const LinkFrames half = motion.links_at(part.middle_s());
+            part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
+        }
+    }
+    EXPECT_GT(found, 20);
+}
+
+TEST(MotionBound, StraightWaysDoNotBend) {
+    const machine::Machine machine = af5();
+    const auto kinematics = machine::make_kinematics(machine);
+    const Segment segment = line(0, joints(0, 0, 0), joints(30, 40, 0), {50, 490});
+    const SegmentMotion motion(*kinematics, segment);
+    const MotionBound bound =
+        motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
+    EXPECT_NEAR(bound.way_mm, 50, 1e-9);
+    EXPECT_EQ(bound.bend_mm, 0);
+    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 1, 0)).way_mm,
+                30, 1e-9);
+    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 1)).way_mm,
+                40, 1e-9);
+}
+
+TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
+    const machine::Machine machine = af5();
+    const auto kinematics = machine::make_kinematics(machine);
+    const Segment segment = turn(0, joints(500, 500, 0), 100, {50});
+    const SegmentMotion motion(*kinematics, segment);
+    MotionPart part = motion.whole();
+    for (int halving = 0; halving < 6; ++halving)
+        part = motion.first_half(part, motion.links_at(part.middle_s()));
+    const double angle = 2 * M_PI / 64;
+    const MotionBound bound = part.chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
+    EXPECT_NEAR(bound.way_mm, 100 * angle, 1e-9);
+    EXPECT_NEAR(bound.bend_mm, 100 * (1 - std::cos(angle / 2)), 1e-4);
+}
+
+TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
+    const machine::Machine machine = af5();
+    const auto kinematics = machine::make_kinematics(machine);
+    const Segment segment = line(0, joints(0, 0, 0), joints(0, 0, 0, 0.1, 0), {1});
+    const SegmentMotion motion(*kinematics, segment);
+    const MotionBound bound =
+        motion.whole().chain.bound({Vector3d(30, 40, 7), 10}, joints_between(*kinematics, 5, 0));
+    EXPECT_NEAR(bound.way_mm, 0.1 * 60, 1e-9);
+    EXPECT_NEAR(bound.bend_mm, 0.1 * 0.1 * 60 / 8, 1e-9);
+}
+
+}  // namespace
+}  // namespace gsim::cell::motion_bound_test

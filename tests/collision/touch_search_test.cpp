@@ -1,0 +1,96 @@
+#include "collision/monitor/touch_search.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "collision/cell/cell_file.h"
+#include "tests/collision/segments.h"
+
+namespace gsim::cell::touch_search_test {
+namespace {
+
+constexpr const char* kBall = "[[shape]]\nname = \"stylus\"\non = \"tool\"\nshape = { sphere_mm = 10 }\n";
+constexpr const char* kBlock =
+    "[[object]]\nname = \"block\"\nshape = { box_mm = [100, 100, 100] }\n"
+    "frame = { x_mm = 550, y_mm = 500 }\n";  // its wall is at x = 500
+constexpr double kSame_s = 3e-8;             // 1e-6 mm at 100 mm/s, and 1e-9 s
+
+Cell cell_of(const std::string& tables) {
+    auto cell = read_cell("[cell]\nname = \"test\"\n" + tables, "cell.toml", af5());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    return *std::move(cell);
+}
+
+TouchSearch search_of(const Cell& cell, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero()) {
+    return TouchSearch::make(cell, af5(), tip_mm).value();
+}
+
+TEST(TouchSearch, FindsTheFirstTouchOfTheToolsBody) {
+    const Cell cell = cell_of(std::string(kBall) + kBlock);
+    const TouchSearch search = search_of(cell);
+    const motion::Segment way = line(0, joints(395, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_FALSE(search.touches(way.start));
+    EXPECT_TRUE(search.touches(way.end));
+    EXPECT_NEAR(search.first_touch_s(way).value(), 1, kSame_s);
+    EXPECT_FALSE(search.first_touch_s(line(0, joints(395, 500, 0), joints(494.9, 500, 0), {100})));
+}
+
+TEST(TouchSearch, TakesTheEarliestOfSeveralBodies) {
+    const Cell cell = cell_of(std::string(kBall) + kBlock +
+                              "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 50] }\n"
+                              "frame = { x_mm = 445, y_mm = 500 }\n");
+    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 0.3, kSame_s);
+}
+
+TEST(TouchSearch, WithoutABodyOnTheToolTheTipIsAPoint) {
+    const Cell cell = cell_of(kBlock);
+    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);
+    EXPECT_NEAR(search_of(cell, {5, 0, 0}).first_touch_s(way).value(), 0.95, kSame_s);
+    EXPECT_FALSE(search_of(cell, {0, 0, 60}).first_touch_s(way));  // it passes above
+}
+
+TEST(TouchSearch, FindsWhereContactIsLost) {
+    const Cell cell = cell_of(std::string(kBall) + kBlock);
+    const TouchSearch search = search_of(cell);
+    const motion::Segment away = line(0, joints(515, 500, 0), joints(395, 500, 0), {100});
+    EXPECT_NEAR(search.first_release_s(away).value(), 0.2, kSame_s);
+    EXPECT_FALSE(search.first_release_s(line(0, joints(515, 500, 0), joints(500, 500, 0), {100})));
+}
+
+// A ball 100 mm above the tip leaves a wall as the tool turns back: 100 sin(angle) + 5 = 55.
+TEST(TouchSearch, FollowsATurn) {
+    const Cell cell = cell_of(
+        "[[shape]]\nname = \"stylus\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
+        "[[object]]\nname = \"wall\"\nshape = { box_mm = [10, 400, 400] }\nframe = { x_mm = 560, y_mm = 500 "
+        "}\n");
+    const TouchSearch search = search_of(cell);
+    const motion::Segment there = line(0, joints(500, 500, 0), joints(500, 500, 0, 0, 0.6), {0.5});
+    EXPECT_NEAR(search.first_touch_s(there).value(), std::asin(0.5) / 0.5, kSame_s);
+    const motion::Segment back = line(0, joints(500, 500, 0, 0, 0.6), joints(500, 500, 0), {0.5});
+    EXPECT_NEAR(search.first_release_s(back).value(), (0.6 - std::asin(0.5)) / 0.5, kSame_s);
+}
+
+TEST(TouchSearch, TheJetAndWhatIsNoToolFeelNothing) {
+    const Cell cell = cell_of(std::string(kBlock) +
+                              "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { sphere_mm = 50 }\n"
+                              "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { sphere_mm = 50 }\n");
+    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);  // the tip does
+}
+
+TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {
+    Cell cell = cell_of(std::string(kBall) + kBlock);
+    cell.carry(*cell.frames.find("block"), false);
+    const auto search = TouchSearch::make(cell, af5(), {0, 0, 0});
+    ASSERT_FALSE(search);
+    EXPECT_EQ(
+        search.error(),
+        "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
+        "by a program); on_probe of a script, or --probe, says where it touches");
+}
+
+}  // namespace
+}  // namespace gsim::cell::touch_search_test

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "controller/module/rcs_host.h"
+#include "controller/module/rcs_process.h"
+#include "controller/module/rcs_values.h"
+#include "tests/build_files/build_files.h"
+
+namespace gsim::rrs {
+
+/// The path of one of the modules in tests/controller/modules.
+inline std::string module_path(const std::string& name) {
+    return tests::build_path("lib/test_modules/") + name + ".so";
+}
+
+/// Three slides without limits but of rapid speed.
+inline gsim_rcs_machine slides() {
+    gsim_rcs_machine machine{};
+    machine.joint_count = 3;
+    machine.base = machine.tool = to_rcs(CartPos::Identity());
+    machine.max_rapid_mm_s = 500;
+    machine.queue_capacity = 8;
+    return machine;
+}
+
+/// Where a module of a test runs.
+enum class Place { this_process, own_process };
+
+inline std::string place_name(const testing::TestParamInfo<Place>& info) {
+    return info.param == Place::own_process ? "own_process" : "this_process";
+}
+
+inline auto both_places() {
+    return testing::Values(Place::this_process, Place::own_process);
+}
+
+/// The error is the sentence of why it cannot be used.
+inline tl::expected<RcsModule, std::string> module_at(Place place, const std::string& name,
+                                                      RcsProcessLimits limits = {}) {
+    const gsim_rcs_machine machine = slides();
+    if (place == Place::own_process)
+        return begin_rcs_process(tests::program_path("gsim-rcs-host"), module_path(name), machine, limits);
+    auto library = RcsLibrary::load(module_path(name), machine, limits.answer_ms);
+    if (!library) return tl::unexpected(library.error());
+    return RcsModule::create(*library, machine);
+}
+
+}  // namespace gsim::rrs

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "tests/lua_lib/roundtrip/roundtrip_control.h"
+#include "tests/lua_lib/roundtrip/roundtrip_model.h"
+#include "tests/lua_lib/roundtrip/roundtrip_variables.h"
+
+namespace gsim::roundtrip {
+
+/// What a program must do.
+struct Reading {
+    std::vector<Move> moves;
+    bool fragile = false;   ///< The last bit of rounding may decide its way.
+    bool too_long = false;  ///< It was ended at kMostMoves.
+};
+
+inline constexpr std::size_t kMostMoves = 3000;
+
+/// Carries out a program. `systems`: the stored offsets of G54, G55, ..
+Reading read(const Program& program, const std::array<Point, 9>& systems);
+
+}  // namespace gsim::roundtrip

@@ -1,0 +1,240 @@
+// The machine's own frames, which programs may change: ModifyCellFrame of "tool" and "base".
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "motion/kinematics/chain.h"
+#include "tests/runtime/simulator/posed.h"
+
+namespace gsim::simulation::machine_frames_test {
+namespace {
+
+using Eigen::Vector3d;
+using kinematics::pose_from_rpy;
+using rrs::CartPos;
+using rrs::JointPos;
+using rrs::Status;
+using testing::HasSubstr;
+
+const CartPos kLonger = pose_from_rpy({.x_mm = 12, .y_mm = -7, .z_mm = -45, .roll_rad = 0.3});
+const CartPos kElsewhere = pose_from_rpy({.x_mm = 80, .y_mm = -60, .z_mm = 25, .roll_rad = 0.5});
+
+const kinematics::Chain& chain(const Posed& robot) {
+    return robot.setup.kinematics->chain();
+}
+
+CartPos file_tool(const Posed& robot) {
+    return chain(robot).tool_side().end;
+}
+
+CartPos file_base(const Posed& robot) {
+    return chain(robot).tool_side().base;
+}
+
+/// The tool centre point of the file in the world, from the joints alone, with the machine where the file has
+/// it.
+CartPos tool_in_world(const Posed& robot, const JointPos& joints) {
+    return chain(robot).tool_frames(joints).back();
+}
+
+JointPos other_joints(const Posed& robot) {
+    JointPos joints = robot.planner.position();
+    for (int i = 0; i < joints.size(); ++i) {
+        const bool turns = chain(robot).kind(i) == rrs::JointKind::revolute;
+        joints[i] += turns ? 0.15 : -20.0;
+    }
+    return joints;
+}
+
+class MachineFrames : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Machines, MachineFrames, testing::Values("af5", "mill-head-table", "arm6"),
+                         [](const auto& machine) {
+                             std::string name = machine.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
+    Posed robot(GetParam());
+    robot.start();
+    const JointPos wanted = other_joints(robot);
+    const CartPos target = robot.setup.kinematics->forward(wanted) * kLonger;
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS)
+        << robot.message();
+    const CartPos from = robot.step().pose;
+    EXPECT_TRUE(from.isApprox(robot.setup.kinematics->forward(robot.planner.position()) * kLonger, 1e-9));
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
+    const Vector3d way = (target.translation() - from.translation()).normalized();
+    Posed::Step step;
+    for (step = robot.step(); step.status == Status::RRS_SUCCESS; step = robot.step()) {
+        const Vector3d tip = (robot.setup.kinematics->forward(step.joints) * kLonger).translation();
+        ASSERT_LT((step.pose.translation() - tip).norm(), 1e-9);
+        const Vector3d gone = tip - from.translation();
+        ASSERT_LT((gone - way * way.dot(gone)).norm(), robot.setup.controller.tcp_tolerance_mm);
+    }
+    EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, wanted), 1e-6));
+}
+
+// A work frame that no axes carry stays in the world: the tool in the world, as the displaced chain has it,
+// is at the target. One that axes carry goes with the machine, whose joints do not know.
+TEST_P(MachineFrames, AMovedBaseReachesTargetsFromWhereItStands) {
+    Posed robot(GetParam());
+    robot.start();
+    const bool carried = !chain(robot).work_side().links.empty();
+    const JointPos wanted = other_joints(robot);
+    const CartPos moved = kElsewhere * file_base(robot);
+    const CartPos work = chain(robot).work_side().base * chain(robot).work_side().end;
+    const CartPos target = carried ? robot.setup.kinematics->forward(wanted)
+                                   : work.inverse() * kElsewhere * tool_in_world(robot, wanted);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", moved), Status::RRS_SUCCESS) << robot.message();
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
+    EXPECT_TRUE(tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, wanted), 1e-6));
+    Posed::Step step = robot.step();
+    while (step.status == Status::RRS_SUCCESS) step = robot.step();
+    EXPECT_TRUE(step.pose.isApprox(target, 1e-6));
+    CartPos there;
+    ASSERT_EQ(robot.planner.GetCellFrame("base", there), Status::RRS_SUCCESS);
+    EXPECT_TRUE(there.isApprox(moved));
+}
+
+// Both at once, and a fixture as object frame: one chain of transforms.
+TEST(MachineFrames, BaseToolAndFixtureAreOneChain) {
+    Posed robot("arm6");
+    robot.start();
+    ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "fixture 1"), Status::RRS_SUCCESS);
+    const JointPos wanted = other_joints(robot);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS);
+    const CartPos fixture = robot.cell.cell().frames.in_link(*robot.cell.cell().frames.find("fixture 1"));
+    const CartPos target = fixture.inverse() * kElsewhere * tool_in_world(robot, wanted) * kLonger;
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
+    EXPECT_TRUE(tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, wanted), 1e-6));
+    CartPos told;
+    ASSERT_EQ(robot.planner.GetForwardKinematics(wanted, told), Status::RRS_SUCCESS);
+    EXPECT_TRUE(told.isApprox(target, 1e-9));
+}
+
+// What is attached to the base goes along: seen from the machine nothing has changed.
+TEST(MachineFrames, TargetsInTheFrameOfTheBaseGoAlong) {
+    Posed robot("arm6");
+    robot.start();
+    ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "base"), Status::RRS_SUCCESS);
+    const CartPos before = robot.step().pose;
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere), Status::RRS_SUCCESS);
+    EXPECT_TRUE(robot.step().pose.isApprox(before, 1e-9));
+}
+
+TEST(MachineFrames, WhatWaitsIsDrivenAndToldAsItWasPlanned) {
+    Posed robot("af5");
+    robot.start();
+    const CartPos here = robot.setup.kinematics->forward(robot.planner.position());
+    CartPos target = here;
+    target.translation().x() += 50;
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
+    Posed::Step step = robot.step();
+    for (; step.status == Status::RRS_SUCCESS; step = robot.step())
+        ASSERT_TRUE(step.pose.isApprox(robot.setup.kinematics->forward(step.joints), 1e-12));
+    EXPECT_EQ(step.status, Status::RRS_TARGET_REACHED);
+    EXPECT_TRUE(step.pose.isApprox(target, 1e-9));
+    step = robot.step();
+    EXPECT_EQ(step.status, Status::RRS_NEED_MORE_DATA);
+    const CartPos work = chain(robot).work_side().base * chain(robot).work_side().end;
+    const CartPos moved = work.inverse() * kElsewhere * tool_in_world(robot, step.joints) * kLonger;
+    EXPECT_TRUE(step.pose.isApprox(moved, 1e-9));
+}
+
+TEST(MachineFrames, OthersOfTheMachineAndWhatIsNoPoseAreRefused) {
+    Posed robot("af5");
+    robot.start();
+    for (const char* name : {"X", "world", "work"}) {
+        EXPECT_EQ(robot.planner.ModifyCellFrame(name, kLonger), Status::RRS_INVALID_PARAMETER) << name;
+        EXPECT_THAT(robot.message(), HasSubstr("'tool' and 'base' alone"));
+    }
+    CartPos bent = kLonger;
+    bent.linear()(0, 0) += 0.1;
+    for (const char* name : {"tool", "base"})
+        EXPECT_EQ(robot.planner.ModifyCellFrame(name, bent), Status::RRS_INVALID_PARAMETER) << name;
+    const CartPos pose = robot.step().pose;
+    EXPECT_TRUE(pose.isApprox(robot.setup.kinematics->forward(robot.planner.position()), 1e-12));
+}
+
+TEST(MachineFrames, StayAsTheyAreWhileAConveyorIsTracked) {
+    Posed robot("af5");
+    robot.start();
+    ASSERT_EQ(robot.planner.DefineConveyor(1, Vector3d::UnitX(), 10), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.SelectTracking(1, true), Status::RRS_SUCCESS) << robot.message();
+    EXPECT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere), Status::RRS_INVALID_PARAMETER);
+    EXPECT_THAT(robot.message(), HasSubstr("while a conveyor is tracked"));
+}
+
+// A stop would leave a part of the motion, or all, that was planned before for the time after.
+TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
+    Posed robot("af5");
+    robot.start();
+    CartPos target = robot.step().pose;
+    target.translation().x() += 50;
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.step().status, Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere), Status::RRS_INVALID_PARAMETER);
+    EXPECT_THAT(robot.message(), HasSubstr("while a motion is stopped"));
+    ASSERT_EQ(robot.planner.ContinueMotion(), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
+    EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_MODE_NOT_SUPPORTED);
+    EXPECT_THAT(robot.message(), HasSubstr("has been changed behind the motion under way"));
+    Posed::Step step = robot.step();
+    while (step.status == Status::RRS_SUCCESS) step = robot.step();
+    EXPECT_TRUE(step.pose.isApprox(target, 1e-9));
+    EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_SUCCESS);
+}
+
+// A conveyor goes its way in the world, wherever the machine stands: turned by 90 degrees about the vertical,
+// the machine follows a belt along the world's X with its other slide.
+TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
+    Posed robot("af5");
+    robot.start();
+    const CartPos turned = pose_from_rpy({.roll_rad = M_PI / 2});
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", turned * file_base(robot)), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.DefineConveyor(1, Vector3d::UnitX(), 10), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.SelectTracking(1, true), Status::RRS_SUCCESS) << robot.message();
+    const JointPos from = robot.planner.position();
+    ASSERT_EQ(robot.planner.SetNextRest(2, 2), Status::RRS_SUCCESS) << robot.message();
+    robot.planner.SelectTracking(1, false);
+    const auto tip = [&](const JointPos& joints) -> Vector3d {
+        return robot.setup.kinematics->forward(joints).translation();
+    };
+    const Vector3d gone = turned.linear() * (tip(robot.planner.position()) - tip(from));
+    EXPECT_GT(gone.x(), 20);
+    EXPECT_NEAR(gone.y(), 0, 1e-9);
+}
+
+// Under tool-centre-point control it is the changed tip that stays where it is while the head turns.
+TEST(MachineFrames, TipControlIsOfTheChangedTip) {
+    const machine::Machine machine = sample("af5");
+    Simulator simulator(machine, {});
+    CellWatch cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine);
+    simulator.set_cell(cell);
+    const auto kinematics = machine::make_kinematics(machine);
+    LineMove move;
+    move.kind = MoveKind::rapid;
+    move.target = simulator.position();
+    move.target.head(3) += Vector3d(600, 600, 300);
+    ASSERT_TRUE(simulator.move(move));
+    ASSERT_TRUE(simulator.set_tip_control(Vector3d(0, 0, 0), {}));
+    const CartPos shift = pose_from_rpy({.z_mm = -60});
+    ASSERT_EQ(simulator.modify_cell_frame("tool", kinematics->chain().tool_side().end * shift),
+              Status::RRS_SUCCESS);
+    EXPECT_TRUE(simulator.position().isApprox(move.target, 1e-9)) << simulator.position();
+    const CartPos before = kinematics->forward(simulator.joints()) * shift;
+    move.target[3] += 40;
+    move.target[4] += 30;
+    ASSERT_TRUE(simulator.move(move)) << simulator.alarm()->message;
+    const CartPos after = kinematics->forward(simulator.joints()) * shift;
+    EXPECT_GT((after.linear() - before.linear()).norm(), 0.1);
+    EXPECT_LT((after.translation() - before.translation()).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace gsim::simulation::machine_frames_test

@@ -1,0 +1,38 @@
+// What is said of ramps that end short of their blocks.
+#include "runtime/monitors/short_brakes_watch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/runtime/simulator/test_segments.h"
+
+namespace gsim::simulation::short_brakes_watch_test {
+namespace {
+
+using testing::HasSubstr;
+
+motion::Segment crawl(double duration_s) {
+    motion::Segment segment;
+    segment.duration_s = duration_s;
+    segment.limited_by = {motion::LimitKind::short_brakes, -1};
+    return segment;
+}
+
+TEST(ShortBrakesWatch, SaysNothingWhereNothingCrawls) {
+    ShortBrakesWatch watch;
+    watch.take(arc(1, 0, 100, 100, 10, 0, 360), {.place = {0, 7}});
+    EXPECT_FALSE(watch.warning({"part.nc"}));
+}
+
+TEST(ShortBrakesWatch, TellsTheTimeAndTheWorstPlace) {
+    ShortBrakesWatch watch;
+    watch.take(crawl(1.5), {.place = {0, 7}});
+    watch.take(crawl(6), {.place = {0, 9}});
+    const std::string said = watch.warning({"part.nc"}).value_or("");
+    EXPECT_THAT(said, HasSubstr("2 blocks"));
+    EXPECT_THAT(said, HasSubstr("7.500 s in all"));
+    EXPECT_THAT(said, HasSubstr("in 6.000 s in part.nc:9"));
+}
+
+}  // namespace
+}  // namespace gsim::simulation::short_brakes_watch_test

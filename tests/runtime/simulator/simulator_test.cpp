@@ -1,0 +1,68 @@
+// Limits of a run, and warnings of controllers whose keys come to nothing.
+#include "runtime/simulator/simulator.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/runtime/simulator/test_segments.h"
+
+namespace gsim::simulation::simulator_test {
+namespace {
+
+using rrs::PlannerKind;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class EachPlanner : public testing::TestWithParam<PlannerKind> {
+  protected:
+    static machine::Machine machine() {
+        machine::Machine machine = af5();
+        machine.controller.planner = GetParam();
+        return machine;
+    }
+    static LineMove line(double x, double feed_mm_min) {
+        LineMove move;
+        move.target = AxisVector::Zero(5);
+        move.target[0] = x;
+        move.feed.linear_mm_min = feed_mm_min;
+        return move;
+    }
+};
+
+TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
+    Simulator simulator(machine(), {.max_time_s = 60});
+    simulator.move(line(100, 6000));
+    EXPECT_FALSE(simulator.alarm());
+    simulator.move(line(200, 60));
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::stopped);
+    ASSERT_TRUE(report.alarm);
+    EXPECT_THAT(report.alarm->message, HasSubstr("60 s of machine time"));
+}
+
+TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
+    Simulator simulator(machine(), {.max_time_s = 60});
+    simulator.move(line(100, 6000));
+    EXPECT_EQ(simulator.finish("p").status, RunStatus::completed);
+}
+
+TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
+    machine::Machine with = machine();
+    with.controller.limit_jerk = true;
+    Simulator without_jerks(with, {});
+    EXPECT_THAT(without_jerks.finish("p").warnings, Contains(HasSubstr("limit_jerk makes no difference")));
+    for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;
+    Simulator with_jerks(with, {});
+    const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
+    EXPECT_EQ(with_jerks.finish("p").warnings.size(), straight ? 1U : 0U);
+    Simulator plain(machine(), {});
+    EXPECT_THAT(plain.finish("p").warnings, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, EachPlanner,
+                         testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead,
+                                         PlannerKind::linuxcnc, PlannerKind::klipper));
+
+}  // namespace
+}  // namespace gsim::simulation::simulator_test

@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/studio/engine/asked.h"
+
+namespace gsim::studio {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const char* const kSquare = R"({"name": "square", "root": "side", "paths": [{"name": "side", "targets": [
+  {"motion": "rapid", "position_mm": [10, 10, -10], "tool_axis": [0, 0, 1]},
+  {"position_mm": [60, 10, -10], "feed_mm_min": 1000}]}]})";
+
+Files files_of_writing() {
+    return {{"wheel.path.json", sample("wheel.path.json")},
+            {"square.json", kSquare},
+            {"router.toml", sample("machines/router3.toml")},
+            {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"router.toml\"\n"}};
+}
+
+std::string write_request(json asked) {
+    asked["do"] = "write";
+    return asked.dump();
+}
+
+Frame written(const json& asked) {
+    const auto frames = answers(write_request(asked), files_of_writing());
+    const auto programs = of_kind(frames, "program");
+    return programs.empty() ? last(frames) : programs.front();
+}
+
+TEST(WriteForm, APathBecomesAProgramThatRuns) {
+    const Frame program = written({{"path", "wheel.path.json"}, {"program_name", "wheel"}});
+    ASSERT_TRUE(program.columns.contains("text")) << program.header;
+    EXPECT_EQ(program.header["files"], json::array());
+    const auto frames =
+        answers(R"({"do": "run", "program": "wheel.nc"})", {{"wheel.nc", program.columns.at("text")}});
+    ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
+    const json report = of_kind(frames, "report").at(0).header["report"];
+    EXPECT_EQ(report["status"], "completed");
+    EXPECT_GT(report["cycle_time_s"], 1);
+}
+
+TEST(WriteForm, TakesAFrameAndATool) {
+    const std::string program = written({{"path", "square.json"},
+                                         {"post", "rs274ngc"},
+                                         {"cell", "cell.toml"},
+                                         {"work_offset", "G55"},
+                                         {"set_offset_mm", {100, 50, 0}},
+                                         {"tool", 3},
+                                         {"retract_mm", -5}})
+                                    .columns.at("text");
+    EXPECT_THAT(program, HasSubstr("G10 L2 P2 X100 Y50 Z0 R0\nG53 G00 Z-5\nT3\nM6\nG43 H3\nG55\n"));
+}
+
+TEST(WriteForm, SaysItInTheWordsOfAPostAndInItsUnits) {
+    const std::string mm =
+        written({{"path", "square.json"}, {"post", "grbl"}, {"cell", "cell.toml"}}).columns.at("text");
+    EXPECT_THAT(mm, HasSubstr("G21"));
+    EXPECT_THAT(mm, HasSubstr("X60"));
+    const std::string inch = written({{"path", "square.json"},
+                                      {"post", "grbl"},
+                                      {"cell", "cell.toml"},
+                                      {"inch", true},
+                                      {"decimals_mm", 3}})
+                                 .columns.at("text");
+    EXPECT_THAT(inch, HasSubstr("G20"));
+    EXPECT_THAT(inch, HasSubstr("X2.3622"));
+}
+
+TEST(WriteForm, SubPathsMayHaveFilesOfTheirOwn) {
+    const Frame program = written(
+        {{"path", "wheel.path.json"}, {"post", "ab9"}, {"program_name", "wheel"}, {"separate_files", true}});
+    ASSERT_TRUE(program.header.contains("files")) << program.header;
+    const auto names = program.header["files"].get<std::vector<std::string>>();
+    ASSERT_FALSE(names.empty());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& text = program.columns.at("file" + std::to_string(i));
+        EXPECT_FALSE(text.empty()) << names[i];
+    }
+}
+
+TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
+    const auto fault = [](const json& asked) { return failure_of(write_request(asked), files_of_writing()); };
+    EXPECT_EQ(fault(json::object()), "write needs 'path'");
+    EXPECT_EQ(fault({{"path", "square.json"}, {"offsets", "all"}}),
+              "'offsets' should be one of as_path, keep, none, machine, not 'all'");
+    EXPECT_EQ(fault({{"path", "square.json"}, {"decimals_mm", 7}}),
+              "'decimals_mm' should be from 1 to 6, not 7");
+    EXPECT_EQ(fault({{"path", "square.json"}, {"decimal", 3}}), "there is no key 'decimal' of write");
+    EXPECT_THAT(fault({{"path", "square.json"}, {"post", "fidia"}}), HasSubstr("there is no post 'fidia'"));
+    EXPECT_THAT(fault({{"path", "none.json"}}), HasSubstr("none.json"));
+    EXPECT_THAT(fault({{"path", "square.json"}, {"machine", "none.toml"}}), HasSubstr("none.toml"));
+}
+
+TEST(WriteForm, PostsAreNamed) {
+    const json names = of_kind(answers(R"({"do": "posts"})"), "posts").at(0).header["names"];
+    EXPECT_NE(std::find(names.begin(), names.end(), "grbl"), names.end());
+    EXPECT_EQ(failure_of(R"({"do": "posts", "path": "a"})"), "there is no key 'path' of posts");
+}
+
+}  // namespace
+}  // namespace gsim::studio
