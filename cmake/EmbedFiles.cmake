@@ -1,24 +1,25 @@
-# gsim_embed(TARGET STEM FILES...): compiles files into a library, byte for byte.
+# gsim_embed(TARGET STEM [BELOW FOLDER] FILES...): compiles files into a library, byte for byte.
 #
 # Generates STEM.h and STEM.cpp in the build folder (include as "STEM.h") and adds them to TARGET. With STEM
 # machine/embedded_machines the header declares, in namespace gsim::embedded,
 #     std::span<const std::pair<std::string_view, std::string_view>> embedded_machines();  // names and texts
 #     std::string_view embedded_machines(std::string_view name);  // data() is null if there is no such file
-# A file's name is that without folders. They are generated again whenever a file changes.
+# A file's name is that without folders, or its path from FOLDER. They are generated again whenever a file changes.
 #
-# The same file is the generator: cmake -D STEM=... -D OUTPUT=... -D FILES=a|b -P EmbedFiles.cmake
+# The same file is the generator: cmake -D STEM=... -D OUTPUT=... -D BELOW=... -D FILES=a|b -P EmbedFiles.cmake
 
 function(gsim_embed target stem)
     set(output ${CMAKE_BINARY_DIR}/${stem})
     set(files "")
-    foreach(file ${ARGN})
+    cmake_parse_arguments(ARG "" "BELOW" "" ${ARGN})
+    foreach(file ${ARG_UNPARSED_ARGUMENTS})
         cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
         list(APPEND files ${file})
     endforeach()
     list(JOIN files "|" joined)
     add_custom_command(
         OUTPUT ${output}.cpp ${output}.h
-        COMMAND ${CMAKE_COMMAND} -D "STEM=${stem}" -D "OUTPUT=${output}" -D "FILES=${joined}" -P
+        COMMAND ${CMAKE_COMMAND} -D "STEM=${stem}" -D "OUTPUT=${output}" -D "BELOW=${ARG_BELOW}" -D "FILES=${joined}" -P
                 ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
         DEPENDS ${files} ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
         COMMENT "Embedding files as ${stem}.h"
@@ -45,6 +46,9 @@ function(gsim_generate_embedded)
     set(index 0)
     foreach(file ${files})
         get_filename_component(file_name ${file} NAME)
+        if(BELOW)
+            file(RELATIVE_PATH file_name ${BELOW} ${file})
+        endif()
         gsim_character_literals(${file} literals)
         string(APPEND arrays "// ${file_name}\nconstexpr char kFile${index}[] = {\n${literals}'\\0'};\n\n")
         string(APPEND entries "    {\"${file_name}\", {kFile${index}, sizeof kFile${index} - 1}},\n")

@@ -1,24 +1,28 @@
 -- The files of the library that each dialect has; those that they need come with them. Their order does not matter.
 
 local klipper = {
-  "groups", "inputs", "klipper_arcs", "klipper_limits", "klipper_modes", "klipper_moves", "klipper_retraction", "modules",
-  "neutral", "processes", "programs", "stored_data", "zones",
+  "common/groups", "common/inputs", "klipper/arcs", "klipper/limits", "klipper/modes", "klipper/moves",
+  "klipper/retraction", "core/modules", "common/neutral", "common/processes", "core/programs", "core/stored_data",
+  "common/zones",
 }
 
 local both = {
-  "arcs", "comp_words", "expressions", "feed", "frames", "groups", "inputs", "modules", "motion", "neutral", "points", "polar",
-  "probe", "processes", "programs", "stored_data", "switches", "times", "tools", "user_codes", "zones",
+  "common/arcs", "common/comp_words", "common/expressions", "common/feed", "common/frames", "common/groups",
+  "common/inputs", "core/modules", "common/motion", "common/neutral", "common/points", "common/polar", "common/probe",
+  "common/processes", "core/programs", "core/stored_data", "common/switches", "common/times", "common/tools",
+  "common/user_codes", "common/zones",
 }
 
 local own = {
   ab9 = {
-    "ab9_angles", "ab9_corners", "ab9_data", "ab9_expressions", "ab9_frames", "ab9_home", "ab9_macros", "ab9_modal",
-    "ab9_modes", "ab9_print", "ab9_ramps", "ab9_transform", "ab9_variables", "ab9_zones", "cycles_ab9", "threads_ab9",
+    "ab9/angles", "ab9/corners", "ab9/data", "ab9/expressions", "ab9/frames", "ab9/home", "ab9/macros", "ab9/modal",
+    "ab9/modes", "ab9/print", "ab9/ramps", "ab9/transform", "ab9/variables", "ab9/zones", "ab9/cycles", "ab9/threads",
   },
   rs274ngc = {
-    "cycles_ngc", "ngc_computed", "ngc_context", "ngc_frames", "ngc_g10", "ngc_home", "ngc_io", "ngc_lathe", "ngc_messages",
-    "ngc_modes", "ngc_named", "ngc_overrides", "ngc_polar", "ngc_probe", "ngc_shared", "ngc_splines", "ngc_subs",
-    "ngc_variables", "threads_ngc",
+    "rs274ngc/cycles", "rs274ngc/computed", "rs274ngc/context", "rs274ngc/frames", "rs274ngc/g10", "rs274ngc/home",
+    "rs274ngc/io", "rs274ngc/lathe", "rs274ngc/messages", "rs274ngc/modes", "rs274ngc/named", "rs274ngc/overrides",
+    "rs274ngc/polar", "rs274ngc/probe", "rs274ngc/shared", "rs274ngc/splines", "rs274ngc/subs", "rs274ngc/variables",
+    "rs274ngc/threads",
   },
 }
 

@@ -2,19 +2,19 @@
 -- gsim-run with --lua-lib. `core` is the C++ side (see README.md beside this file), `env` is what scripts see, and
 -- use "name" gives what another file returns.
 
-local words = use "words"   -- from here on it is noted which file says what to scripts
+local words = use "core/words"   -- from here on it is noted which file says what to scripts
 
 for _, list in ipairs(use "files") do
   for _, name in ipairs(list) do use(name) end
 end
 
 words.finish()
-use("hooks", "tell")("begin")
+use("core/hooks", "tell")("begin")
 
 -- What the C++ side calls.
-local main_process, run_interrupt = use("processes", "main_process", "run_interrupt")
-local stored_data, permanent_variables = use("stored_data", "stored_data", "permanent_variables")
+local main_process, run_interrupt = use("common/processes", "main_process", "run_interrupt")
+local stored_data, permanent_variables = use("core/stored_data", "stored_data", "permanent_variables")
 return {
-  flush = use("path", "flush"), main_process = main_process, run_interrupt = run_interrupt, stored_data = stored_data,
+  flush = use("core/path", "flush"), main_process = main_process, run_interrupt = run_interrupt, stored_data = stored_data,
   permanent_variables = permanent_variables,
 }

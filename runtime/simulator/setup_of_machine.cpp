@@ -6,8 +6,8 @@ namespace gsim::simulation {
 
 namespace {
 
-/// How far the radii of an arc may differ is the language's business (lua_lib/arcs.lua); the planner takes
-/// what a language lets through as a spiral.
+/// How far the radii of an arc may differ is the language's business (lua_lib/common/arcs.lua); the planner
+/// takes what a language lets through as a spiral.
 constexpr double kArcTolerance_mm = 10;
 
 }  // namespace

@@ -140,10 +140,10 @@ TEST_F(GsimRun, MachinesAndTheirData) {
 
 TEST_F(GsimRun, ReplacesTheLibrary) {
     namespace fs = std::filesystem;
-    fs::copy(tests::source_path("lua_lib"), folder_ / "lib");
-    write("lib/switches.lua",
-          read("lib/switches.lua") +
-              "use(\"words\", \"before\")(\"M8\", \"times\", function() core.event(\"mine\") end)\n");
+    fs::copy(tests::source_path("lua_lib"), folder_ / "lib", fs::copy_options::recursive);
+    write("lib/common/switches.lua",
+          read("lib/common/switches.lua") +
+              "use(\"core/words\", \"before\")(\"M8\", \"times\", function() core.event(\"mine\") end)\n");
     const std::string part = write("part.nc", "M8\n");
     EXPECT_EQ(report({part, "--lua-lib", "lib"})["events"][0]["kind"], "mine");
     write("lib/init.lua", "nonsense\n");

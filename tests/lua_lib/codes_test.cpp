@@ -57,7 +57,7 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
 // Each alarm of the library has a code that other programs know: alarm("word-value", "F is ...").
 TEST(Codes, EachAlarmHasTheCodeOfADiagnostic) {
     std::size_t alarms = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("lua_lib"))) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(tests::source_path("lua_lib"))) {
         if (entry.path().extension() != ".lua") continue;
         std::ifstream file(entry.path());
         const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -30,7 +30,7 @@ class LibraryFiles : public LibraryFolder {
         const std::string text = read("files.lua");
         const std::size_t begin = text.find(list + " = {");
         const std::string inside = text.substr(begin, text.find('}', begin) - begin);
-        static const std::regex quoted(R"re("(\w+)")re");
+        static const std::regex quoted(R"re("([\w/]+)")re");
         std::vector<std::string> names;
         for (std::sregex_iterator name(inside.begin(), inside.end(), quoted), end; name != end; ++name)
             names.push_back((*name)[1]);
@@ -47,12 +47,14 @@ class LibraryFiles : public LibraryFolder {
 // --- What is refused when the library is loaded ---
 
 TEST_F(LibraryFiles, AWordIsSaidOnce) {
-    EXPECT_EQ(trouble_of("mine", "use(\"words\", \"word\")(\"G4\", function() end)\nuse \"feed\"\n"),
-              "the library in Lua cannot be loaded: 'G4' is said twice, in lua_lib/mine.lua and in "
-              "lua_lib/feed.lua");
-    EXPECT_EQ(trouble_of("mine", "use \"expressions\"\nfunction env.SQRT() end\n"),
-              "the library in Lua cannot be loaded: 'SQRT' is said twice, in lua_lib/expressions.lua and in "
-              "lua_lib/mine.lua");
+    EXPECT_EQ(
+        trouble_of("mine", "use(\"core/words\", \"word\")(\"G4\", function() end)\nuse \"common/feed\"\n"),
+        "the library in Lua cannot be loaded: 'G4' is said twice, in lua_lib/mine.lua and in "
+        "lua_lib/common/feed.lua");
+    EXPECT_EQ(
+        trouble_of("mine", "use \"common/expressions\"\nfunction env.SQRT() end\n"),
+        "the library in Lua cannot be loaded: 'SQRT' is said twice, in lua_lib/common/expressions.lua and in "
+        "lua_lib/mine.lua");
 }
 
 TEST_F(LibraryFiles, NoFileSharesANameWithAll) {
@@ -62,8 +64,9 @@ TEST_F(LibraryFiles, NoFileSharesANameWithAll) {
               "library; return it, or make it local");
     EXPECT_EQ(trouble_of("mine", "local x = helper\n"),
               "the library in Lua cannot be loaded: lua_lib/mine.lua:1: the library knows no 'helper'");
-    EXPECT_EQ(trouble_of("mine", "local helper = use(\"path\", \"helper\")\n"),
-              "the library in Lua cannot be loaded: lua_lib/mine.lua:1: lua_lib/path.lua gives no 'helper'");
+    EXPECT_EQ(
+        trouble_of("mine", "local helper = use(\"core/path\", \"helper\")\n"),
+        "the library in Lua cannot be loaded: lua_lib/mine.lua:1: lua_lib/core/path.lua gives no 'helper'");
 }
 
 TEST_F(LibraryFiles, WhatWouldNeedItselfIsSaid) {
@@ -75,15 +78,16 @@ TEST_F(LibraryFiles, WhatWouldNeedItselfIsSaid) {
 }
 
 TEST_F(LibraryFiles, EachHookHasAPlaceInTheOrder) {
-    EXPECT_EQ(trouble_of("mine", "use(\"words\", \"before\")(\"G4\", \"coffee\", function() end)\n"),
-              "the library in Lua cannot be loaded: lua_lib/hooks.lua has no hook 'coffee' in its order");
-    EXPECT_EQ(trouble_of("mine", "use(\"hooks\", \"on\")(\"begin\", \"tea\", function() end)\n"),
-              "the library in Lua cannot be loaded: lua_lib/hooks.lua has no hook 'tea' in its order");
+    EXPECT_EQ(
+        trouble_of("mine", "use(\"core/words\", \"before\")(\"G4\", \"coffee\", function() end)\n"),
+        "the library in Lua cannot be loaded: lua_lib/core/hooks.lua has no hook 'coffee' in its order");
+    EXPECT_EQ(trouble_of("mine", "use(\"core/hooks\", \"on\")(\"begin\", \"tea\", function() end)\n"),
+              "the library in Lua cannot be loaded: lua_lib/core/hooks.lua has no hook 'tea' in its order");
 }
 
 TEST_F(LibraryFiles, HooksActInTheirOrderWhereverTheyAreSaid) {
     const std::string text =
-        "local path, words = use \"path\", use \"words\"\n"
+        "local path, words = use \"core/path\", use \"core/words\"\n"
         "words.after(\"M5\", \"times\", function() path.event(\"third\") end)\n"
         "words.after(\"M5\", \"compensation\", function() path.event(\"first\") end)\n"
         "words.after({ \"M4\", \"M5\" }, \"process\", function(name) path.event(name) end)\n"
@@ -93,18 +97,19 @@ TEST_F(LibraryFiles, HooksActInTheirOrderWhereverTheyAreSaid) {
 }
 
 TEST_F(LibraryFiles, AFileOfTheUsersDefinesACode) {
-    EXPECT_EQ(trouble_of("mine", "use(\"user_codes\")[101] = function(words) env.G0{x=words.p} end\n"),
+    EXPECT_EQ(trouble_of("mine", "use(\"common/user_codes\")[101] = function(words) env.G0{x=words.p} end\n"),
               "none");
-    EXPECT_EQ(
-        trouble_of("other", "use(\"words\", \"after\")(\"M101\", \"times\", function() env.G0{y=5} end)\n"),
-        "none");
+    EXPECT_EQ(trouble_of("other",
+                         "use(\"core/words\", \"after\")(\"M101\", \"times\", function() env.G0{y=5} end)\n"),
+              "none");
     expect_end(run_here("M[101]{p=7}"), 7, 5, 0);
 }
 
 TEST_F(LibraryFiles, AFileMayCountTheWordsOfAnAxis) {
     EXPECT_EQ(
-        trouble_of("mine",
-                   "use(\"words\", \"word\")(\"TWICE\", function() core.set_word_factor(\"y\", 2) end)\n"),
+        trouble_of(
+            "mine",
+            "use(\"core/words\", \"word\")(\"TWICE\", function() core.set_word_factor(\"y\", 2) end)\n"),
         "none");
     expect_end(run_here("TWICE() G0{x=3, y=4} G91() G0{y=1}"), 3, 10, 0);
     expect_end(run_here("TWICE() G20() G0{y=1}"), 0, 50.8, 0);

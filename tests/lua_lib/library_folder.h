@@ -24,7 +24,11 @@ class LibraryFolder : public testing::Test {
     }
     ~LibraryFolder() override { std::filesystem::remove_all(folder_); }
 
-    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    void write(const std::string& name, const std::string& text) {
+        const std::filesystem::path file = folder_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << text;
+    }
     void erase(const std::string& name) { std::filesystem::remove(folder_ / name); }
     std::string read(const std::string& name) { return Library(folder_).read(name).value(); }
     /// Writes lines of Lua in front of a text of a file.

@@ -12,8 +12,9 @@ TEST_F(LibraryFolder, DoesWhatTheBuiltInOneDoes) {
 }
 
 TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
-    write("switches.lua", read("switches.lua") + "\nword(\"M77\", function() core.event(\"pallet\") end)\n");
-    insert("ab9_modes.lua", "  if true then return core.event(\"valve\") end\n",
+    write("common/switches.lua",
+          read("common/switches.lua") + "\nword(\"M77\", function() core.event(\"pallet\") end)\n");
+    insert("ab9/modes.lua", "  if true then return core.event(\"valve\") end\n",
            "  local changed = state.flood or state.mist");
     const Outcome r = run_here("M77() M8() M9()");
     EXPECT_TRUE(r.completed()) << r.message();
@@ -21,9 +22,9 @@ TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
 }
 
 TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
-    remove("arcs.lua", "arc(\"G2\", false)");
-    write("arcs.lua",
-          read("arcs.lua") +
+    remove("common/arcs.lua", "arc(\"G2\", false)");
+    write("common/arcs.lua",
+          read("common/arcs.lua") +
               "\nmotion.modal_word(\"G2\", function(words) path.event(\"pallet\", tostring(words.x)) end)\n");
     const Outcome r = run_here(
         "F(1000) G0{x=50, y=50} G3{x=70, i=10} G2{x=1} move{x=2} G16() G2{x=3} G15() move{x=4} G1{x=5}");
@@ -33,26 +34,26 @@ TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
 }
 
 TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
-    write("feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
-    EXPECT_NE(trouble().find("lua_lib/feed.lua:3:"), std::string::npos) << trouble();
-    write("feed.lua", "local x = nil\nx.y = 5\n");
-    EXPECT_NE(trouble().find("lua_lib/feed.lua:2:"), std::string::npos) << trouble();
-    write("feed.lua", "while true do end\n");
+    write("common/feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
+    EXPECT_NE(trouble().find("lua_lib/common/feed.lua:3:"), std::string::npos) << trouble();
+    write("common/feed.lua", "local x = nil\nx.y = 5\n");
+    EXPECT_NE(trouble().find("lua_lib/common/feed.lua:2:"), std::string::npos) << trouble();
+    write("common/feed.lua", "while true do end\n");
     EXPECT_NE(trouble(), "none");
 }
 
 TEST_F(LibraryFolder, AMissingFileIsNamed) {
-    erase("arcs.lua");
+    erase("common/arcs.lua");
     EXPECT_NE(trouble().find("arcs.lua"), std::string::npos) << trouble();
     erase("init.lua");
     EXPECT_NE(trouble().find("init.lua"), std::string::npos) << trouble();
 }
 
 TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
-    insert("feed.lua", "word(\"M77\", function() local t = nil; t.x = 1 end)\n", "return {");
+    insert("common/feed.lua", "word(\"M77\", function() local t = nil; t.x = 1 end)\n", "return {");
     const Outcome r = run_here("G0{x=1}\nM77()\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
-    EXPECT_NE(r.message().find("lua_lib/feed.lua"), std::string::npos) << r.message();
+    EXPECT_NE(r.message().find("lua_lib/common/feed.lua"), std::string::npos) << r.message();
     EXPECT_EQ(r.line(), 2U);
 }
 

@@ -1,0 +1,175 @@
+-- Angles of lines (,A, degrees from the plane's first axis). With one coordinate of the plane the other one follows;
+-- with none the line ends where it meets the line of the next block, which has ,A and both coordinates. In Lua:
+-- `line_angle(30) G1{x=10}`.
+
+local alarm, copied, given = use("core/basics", "alarm", "copied", "given")
+local word = use("core/words", "word")
+local ab9_corners, ab9_macros, axes, motion, path =
+  use "ab9/corners", use "ab9/macros", use "core/axes", use "common/motion", use "core/path"
+local plane_geometry, plane_view, polar, state = use "ab9/geometry", use "core/plane_view", use "common/polar", use "core/state"
+
+local STRAIGHT = plane_geometry.straight
+
+local angle     -- { degrees, place } of the block being executed, until its motion takes it
+local waiting   -- a line given by its angle alone: { degrees, words, start = {first, second}, plane, rapid, feed, place }
+
+local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.sin(math.rad(degrees)) } end
+
+-- Where the program stands, in program units.
+local function program_point(p)
+  local position = axes.program_position()
+  return { position[p.first] / core.unit_mm(), position[p.second] / core.unit_mm() }
+end
+
+-- One coordinate is given: the other one lies on the line.
+local function complete(words, p, degrees)
+  local way = direction_of(degrees)
+  local letters = { p.first, p.second }
+  local known = words[p.first] ~= nil and 1 or 2
+  if math.abs(way[known]) < STRAIGHT then
+    alarm("corner", ",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
+  end
+  local base = core.is_incremental() and { 0, 0 } or program_point(p)
+  local reach = (words[letters[known]] - base[known]) / way[known]
+  local full = copied(words)
+  full[letters[3 - known]] = base[3 - known] + reach * way[3 - known]
+  return full
+end
+
+-- The first of two lines with the end at which it meets the second, which is given by its end and its angle.
+local function crossing(words, p, degrees)
+  if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
+    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
+  end
+  local point = plane_geometry.meet(
+    { from = waiting.start, direction = direction_of(waiting.degrees) },
+    { from = { words[p.first], words[p.second] }, direction = direction_of(degrees) })[1]
+  if point == nil then
+    alarm("corner", "the lines at ,A%.10g and ,A%.10g do not cross: they are parallel", waiting.degrees, degrees)
+  end
+  local full = copied(waiting.words)
+  full[p.first], full[p.second] = point[1], point[2]
+  return full
+end
+
+-- Stands in the path while an angle waits for its motion or the end of a line is open: nothing else may move.
+local guard = { rank = 5 }
+local guarding = false
+
+local function guard_path(on)
+  if on == guarding then return end
+  guarding = on
+  if on then path.add_filter(guard) else path.remove_filter(guard) end
+end
+
+local function check_nothing_open()
+  if angle then
+    angle = nil
+    alarm("corner", ",A belongs to a straight move (G0, G1) in its block")
+  elseif waiting then
+    waiting = nil
+    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane")
+  end
+end
+
+function guard:rapid(...)
+  check_nothing_open()
+  self.next:rapid(...)
+end
+
+function guard:line(...)
+  check_nothing_open()
+  self.next:line(...)
+end
+
+function guard:arc(...)
+  check_nothing_open()
+  self.next:arc(...)
+end
+
+function guard:act(f) self.next:act(f) end
+function guard:flush() check_nothing_open() end
+
+local function hold_back(words, degrees)
+  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
+  local rapid = core.motion() == "G0"
+  waiting = {
+    degrees = degrees, words = words, start = program_point(plane_view.planes[core.plane()]), plane = core.plane(),
+    rapid = rapid, feed = not rapid and core.take_feed() or nil, place = core.place(), corner = ab9_corners.exchange(nil),
+  }
+end
+
+-- The line that waited goes out with the feed, the corner and the place of its own block.
+local function put_first(words)
+  local first = waiting
+  waiting = nil
+  local target = core.target(words)
+  local second_corner = ab9_corners.exchange(first.corner)
+  if first.rapid then
+    guard.next:rapid(target, first.place)
+  else
+    guard.next:line(target, first.feed, nil, first.place)
+  end
+  core.set_programmed(target)
+  ab9_corners.exchange(second_corner)
+end
+
+local function check_words(words)
+  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
+  if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
+  for _, letter in ipairs { "u", "v", "w" } do
+    if words[letter] ~= nil and axes.is_rotary[letter] == nil then
+      alarm("corner", ",A goes with X, Y and Z, and not with the increment %s", letter:upper())
+    end
+  end
+end
+
+-- The words of a move to which ,A belongs; none where it waits for the next one.
+local function resolve(words, degrees)
+  local p = plane_view.planes[core.plane()]
+  if degrees then check_words(words) end
+  if waiting then
+    if waiting.plane ~= core.plane() then
+      alarm("corner", ",A: the plane changes before the end of the line is known")
+    end
+    put_first(crossing(words, p, degrees))
+    return words
+  end
+  local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
+  if has_first and has_second then
+    alarm("corner", ",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
+  end
+  if has_first or has_second then return complete(words, p, degrees) end
+  hold_back(words, degrees)
+  return {}
+end
+
+-- A motion without axis words, which elsewhere does nothing, may be a line that is given by its angle alone: for one
+-- call the words of motion get a table.
+local stand_ins = {}
+for _, name in ipairs { "G0", "G1", "move" } do
+  stand_ins[name] = function(words)
+    motion.cover("line angle", nil)
+    return env[name](words or {})
+  end
+end
+
+local function resolve_by_angle(words)
+  motion.cover("line angle", nil)
+  local degrees = angle and angle.degrees
+  if angle and angle.place ~= core.place() then check_nothing_open() end
+  angle = nil
+  local resolved = resolve(words, degrees)
+  if waiting == nil then polar.resolve_by(nil) end
+  guard_path(waiting ~= nil)
+  return resolved
+end
+
+word("line_angle", function(degrees)
+  if not given(degrees, ",A") then return end
+  if angle then check_nothing_open() end
+  angle = { degrees = degrees, place = core.place() }
+  polar.resolve_by(resolve_by_angle)
+  guard_path(true)
+  motion.cover("line angle", stand_ins)
+end)

@@ -1,0 +1,285 @@
+-- Cutter compensation as the 9/Series does it, type A (G39 to G42). Each move in the plane waits until the next one is
+-- known, since its end depends on it:
+--   entry      straight to beside the start of the move after it
+--   inside     the move ends, and the next begins, where the tool has reached both
+--   outside    up to 90 degrees the tangents of the tool's ways meet in a point; beyond, each is made longer by the
+--              radius and a straight block joins them (G39), or an arc about the corner does (G39.1)
+--   side       after a change of side a straight block leads over, where the tool's ways do not cross
+--   radius     after a new D a line goes over to the new radius along its length, an arc in a block before it
+--   exit       the last move ends at right angles to itself, and the exit move goes straight to its programmed end
+
+local alarm, copied = use("core/basics", "alarm", "copied")
+local comp_filter, g, comp_override = use "common/comp_filter", use "common/comp_geometry", use "common/comp_override"
+
+local LOOK_AHEAD = 20            -- actions and moves outside the plane that may lie between two moves in it
+local SMALLEST_BLOCK_MM = 0.001  -- ends no farther apart are joined by one block
+local SAME_POINT_MM = 1e-6
+local CUT_BACK_RAD = 0.001       -- by which an arc may come out longer than programmed
+local CUSP_RAD = 0.05            -- a turn back by half a turn, as far as rounded coordinates tell
+
+local ab9 = comp_filter.derive()
+
+local function make(radius_in_force)
+  return comp_filter.make(ab9, {
+    plane = core.plane(), side = 1, radius_in_force = radius_in_force,
+    round = false,        -- G39.1
+    before = nil,         -- the last move in the plane
+    waiting = false,      -- whether it is still to be put out
+    between = {},         -- what came after it and is no move in the plane
+  })
+end
+
+-- --- Putting out what waited ---
+
+-- What is put out of a move whose way in the plane is so long: all of it, or parts where the feed is lowered at corners.
+function ab9:parts(item, length_mm)
+  local rise = self.view:height(item.target) - self.view:height(item.source)
+  local parts = comp_override.parts(item, math.sqrt(length_mm * length_mm + rise * rise))
+  for i = 1, #parts - 1 do
+    parts[i].target = copied(item.target)
+    for letter, from in unordered(item.source) do
+      parts[i].target[letter] = from + (item.target[letter] - from) * parts[i].share
+    end
+  end
+  return parts
+end
+
+function ab9:put_arc_in_parts(item, point, sweep)
+  local from, centre, turn, done = item.begin, item.segment.centre, item.segment.turn, 0
+  for _, part in ipairs(self:parts(item, g.distance(from, centre) * sweep)) do
+    local to = part.target and comp_override.point_on_arc(from, point, centre, turn, sweep, part.share) or point
+    self:put_arc(item, to, centre, turn, sweep * (part.share - done), part.target, part.feed)
+    done = part.share
+  end
+end
+
+local TOO_SHORT = "%s is too short between its corners, so that the tool would run backwards and gouge the path"
+
+function ab9:put_line(item, point)
+  if not item.entry and g.dot(item.segment.heading[1], g.minus(point, item.begin)) < -SAME_POINT_MM then
+    self:say(item, TOO_SHORT)
+  end
+  local from = item.begin
+  for _, part in ipairs(self:parts(item, g.distance(from, point))) do
+    local to = part.target and comp_override.point_on_line(from, point, part.share) or point
+    self:put_straight(item, to, part.target, part.feed)
+  end
+end
+
+function ab9:put_circle(item, point)
+  local segment = item.segment
+  local sweep = g.swept_after(item.begin, point, segment.centre, segment.turn, segment.sweep)
+  if sweep <= segment.sweep + CUT_BACK_RAD then
+    self:put_arc_in_parts(item, point, sweep)
+  elseif g.distance(item.begin, point) > SAME_POINT_MM then
+    self:say(item, TOO_SHORT)
+  end
+end
+
+-- What came after the move that waited.
+function ab9:put_between()
+  for _, other in ipairs(self.between) do self:put_beside(other) end
+  self.between, self.waiting = {}, false
+end
+
+-- Ends the waiting move at that point, and puts out what came after it.
+function ab9:finish(point)
+  local item = self.before
+  if item.kind == "arc" then self:put_circle(item, point) else self:put_line(item, point) end
+  self:put_between()
+end
+
+-- Generated blocks: straight on through these points, at the feed of the move that follows them, while all other axes
+-- stay.
+function ab9:join(item, points)
+  for _, point in ipairs(points) do
+    if g.distance(self.at, point) > SAME_POINT_MM then self:put_straight(item, point, item.source) end
+  end
+end
+
+-- --- Corners ---
+
+local function away_from_path(item) return g.beside_end(item.segment, item.side, item.radius) end
+
+-- Two curves that touch in a turn back: inside where the way that came is on the tool's side of the way that goes.
+local function cusp_is_inside(p, q, side, angle)
+  local bend = -side * (g.curvature(p) + g.curvature(q))
+  if bend ~= 0 then return bend > 0 end
+  return angle > 0 and angle < math.pi - 1e-9
+end
+
+local function is_inside(p, q, side)
+  local angle = side * g.angle(p.heading[2], q.heading[1])
+  if math.abs(angle) > math.pi - CUSP_RAD then return cusp_is_inside(p, q, side, angle), angle end
+  return angle > 0, angle
+end
+
+function ab9:inside_corner(p, q, from, to, angle)
+  if not self.waiting then
+    core.warn(("cutter compensation: the tool went to the end of a move before the inside corner behind it was known, "
+      .. "and cuts too far there; up to %d actions and moves outside the plane may lie between"):format(LOOK_AHEAD))
+    self:join(q, { to })
+    return
+  end
+  local smooth = g.distance(from, to) < SAME_POINT_MM   -- where curves meet is not well defined then
+  local point = smooth and from or g.meet(p.segment, q.segment, p.side, p.radius)
+  comp_override.mark(p, q, angle)
+  if point then
+    self:finish(point)
+  elseif g.distance(from, to) < SMALLEST_BLOCK_MM then
+    self:finish(from)
+    self:join(q, { to })
+  else
+    self:say(q, "the tool does not fit into the corner before %s without gouging")
+  end
+end
+
+function ab9:turn_around(p, q, to)
+  local corner, turn = p.segment.to, -p.side
+  self:put_arc(q, to, corner, turn, g.swept(self.at, to, corner, turn), q.source)
+end
+
+-- The points that lead around an outside corner between the ends of the two ways: none, one or two.
+local function way_around(p, q, from, to, angle)
+  local d, e = p.segment.heading[2], q.segment.heading[1]
+  if g.distance(from, to) < SMALLEST_BLOCK_MM then return {} end
+  if math.abs(angle) <= math.pi / 2 + 1e-9 then
+    return { g.plus(from, d, p.radius * math.tan(math.abs(angle) / 2)) }
+  end
+  return { g.plus(from, d, p.radius), g.plus(to, e, -p.radius) }
+end
+
+function ab9:outside_corner(p, q, from, to, angle)
+  local points = way_around(p, q, from, to, angle)
+  if #points == 2 and self.round and q.kind ~= "rapid" then
+    self:close()
+    self:turn_around(p, q, to)
+    return
+  end
+  -- A line is made longer instead of being followed, or led, by a block in its own direction.
+  if self.waiting then self:finish(not p.segment.centre and points[1] or from) end
+  if q.segment.centre or #points == 0 then points[#points + 1] = to end
+  self:join(q, points)
+end
+
+-- A point that both of the tool's ways pass, where the side changes between them.
+local function crossing(p, q)
+  if not p.segment.centre and not q.segment.centre then return nil end
+  local best, least
+  for _, point in ipairs(g.crossings(p.segment, p.side, p.radius, q.segment, q.side, q.radius)) do
+    local function on(segment)
+      if segment.centre then return g.within_arc(segment, point) end
+      return g.within_line(segment, point)
+    end
+    local far = g.distance(point, p.segment.to)
+    if on(p.segment) and on(q.segment) and (not best or far < least) then best, least = point, far end
+  end
+  return best
+end
+
+function ab9:change_side(p, q)
+  local point = self.waiting and crossing(p, q)
+  if point then
+    self:finish(point)
+  else
+    if self.waiting then self:finish(away_from_path(p)) end
+    self:join(q, { g.beside_start(q.segment, q.side, q.radius) })
+  end
+end
+
+-- Brings the tool to the start of an arc whose radius of compensation is new.
+function ab9:change_radius(p, q)
+  if p.radius == q.radius or not q.segment.centre then return end
+  local spoke = g.unit(g.minus(self.at, q.segment.centre))
+  self:join(q, { g.plus(q.segment.centre, spoke, g.tool_radius(q.segment, q.side, q.radius)) })
+end
+
+function ab9:corner(p, q)
+  if p.side ~= q.side then
+    self:change_side(p, q)
+    return
+  end
+  self:check_fits(q, p.side, p.radius)
+  local from, to = away_from_path(p), g.beside_start(q.segment, p.side, p.radius)
+  local inside, angle = is_inside(p.segment, q.segment, p.side)
+  if inside then
+    self:inside_corner(p, q, from, to, angle)
+  else
+    self:outside_corner(p, q, from, to, angle)
+  end
+  self:change_radius(p, q)
+end
+
+-- --- Words that change what holds ---
+
+-- Where the last move is still waiting it keeps what it came with.
+function ab9:set(side, round) self.side, self.round = side, round end
+
+-- The last move ends at right angles beside its programmed end.
+function ab9:close()
+  if self.waiting then self:finish(away_from_path(self.before)) end
+end
+
+-- The last move leads out to its programmed end, and the next one will lead in: for words that leave the path.
+function ab9:interrupt()
+  local item = self.before
+  if item then
+    if self.waiting and item.kind ~= "arc" then
+      self:put_straight(item, item.segment.to)
+      self:put_between()
+    else
+      self:close()
+      if item.kind == "arc" then item.kind = "line" end
+      self:put_straight(item, item.segment.to)
+    end
+  end
+  self.before = nil
+end
+
+-- --- The methods of a filter ---
+
+function ab9:take_other(item)
+  if not self.waiting then
+    self:put_beside(item)
+    return
+  end
+  self.between[#self.between + 1] = item
+  if #self.between > LOOK_AHEAD then self:close() end
+end
+
+function ab9:take(item)
+  if not item.segment then
+    self:take_other(item)
+    return
+  end
+  local radius = self.radius_in_force()   -- below 0 the sides are swapped
+  item.side, item.radius = self.side, math.abs(radius)
+  if radius < 0 then item.side = -item.side end
+  if not self.same_sense then item.side = -item.side end
+  item.overridden = comp_override.is_on(item)
+  local before = self.before
+  if not before then
+    if item.kind == "arc" then
+      alarm("compensation",
+        "the entry move into cutter compensation is straight (G0 or G1), not an arc; this is the first move in "
+        .. "plane %s after G41 or G42", self.plane:upper())
+    end
+    item.entry = true
+  else
+    self:check_fits(item, item.side, item.radius)
+    if not before.entry then
+      self:corner(before, item)
+    else
+      local beside = g.beside_start(item.segment, item.side, item.radius)
+      if self.waiting then self:finish(beside) else self:join(item, { beside }) end
+    end
+  end
+  item.begin = self.at
+  self.before, self.waiting = item, true
+end
+
+function ab9:act(f) self:take_other({ kind = "act", f = f }) end
+
+function ab9:flush() self:close() end
+
+return make

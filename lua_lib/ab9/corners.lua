@@ -1,0 +1,273 @@
+-- Chamfers (,C) and corner radii (,R): a corner stands between the move that carries it and the next one; both lie in
+-- the plane in force. The move is held back until the next one is known. In Lua: `corner(2) G1{x=10}`.
+
+local alarm, copied, given, space_between = use("core/basics", "alarm", "copied", "given", "space_between")
+local feed_of_part = use("common/feed", "feed_of_part")
+local word = use("core/words", "word")
+local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", use "ab9/geometry", use "core/plane_view"
+
+local geometry = plane_geometry
+local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
+
+local KEYS = { chamfer = ",C", corner = ",R" }
+
+local wanted       -- { key, size_mm, plane, place } for the move of the block
+local held         -- the move held back, with its corner
+local acts = {}    -- what happens between it and the next one
+
+-- Values for all axes: those that are not given stay at the start of the move.
+local function all_axes(values, move)
+  local all = {}
+  for _, axis in ipairs(axes.list) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
+  return all
+end
+
+-- The piece that a move makes in the plane.
+local function piece_of(move)
+  local view = plane_view.view(move.plane)
+  local piece = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
+  if move.arc then
+    piece.centre, piece.sense, piece.sweep = { move.first, move.second }, move.ccw and 1 or -1, move.sweep
+    piece.radius = geometry.length(geometry.minus(piece.from, piece.centre))
+  end
+  return piece
+end
+
+-- What a move does besides going in a plane: the letter of an axis, or that it leaves an oblique plane; nil: nothing.
+local function beside_plane(move, plane)
+  local p, view = plane_view.planes[plane], plane_view.view(plane)
+  local target = all_axes(move.target, move)
+  if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
+    return p and "goes along " .. p.third:upper() .. " too" or "leaves it"
+  end
+  for _, axis in ipairs(axes.list) do
+    local letter = axis.letter
+    local in_space = letter == "x" or letter == "y" or letter == "z"
+    if not in_space and math.abs(target[letter] - move.start[letter]) > SAME_MM then
+      return "goes along " .. letter:upper() .. " too"
+    end
+  end
+end
+
+local function check_plane(move, other_plane, mark)
+  if move.arc and not plane_view.same_plane(move.plane, other_plane) then
+    alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
+  end
+  local besides, p = beside_plane(move, other_plane), plane_view.planes[other_plane]
+  if besides == nil then return end
+  local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
+  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, besides)
+end
+
+local filter = { rank = 10 }   -- on the programmed path, before all that shifts it
+
+local function put_out(move, place)
+  if move.arc then
+    filter.next:arc(move.plane, move.ccw, move.first, move.second, move.sweep, move.target, move.feed, place)
+  else
+    filter.next:line(move.target, move.feed, move.kind, place)
+  end
+end
+
+-- The move from one point on it to another; nil is its own start or end, and the result where nothing is left.
+local function part_of(move, piece, from, to)
+  local begin = from and geometry.along(piece, from) or 0
+  local finish = to and geometry.along(piece, to) or geometry.piece_length(piece)
+  local left = finish - begin
+  if left < SAME_MM then return nil end
+  from, to = from or piece.from, to or piece.to
+  local view, part = plane_view.view(move.plane), copied(move)
+  part.start, part.target = all_axes(move.start, move), all_axes(move.target, move)
+  view:put(part.start, from)
+  view:put(part.target, to)
+  if move.arc then part.sweep = left / piece.radius end
+  part.feed = feed_of_part(move.feed, left / geometry.piece_length(piece))
+  return part
+end
+
+-- The corner itself, with the feed of the first move.
+local function corner_move(first, piece, corner)
+  local move = { plane = first.plane, target = all_axes(first.target, first) }
+  plane_view.view(first.plane):put(move.target, corner.to)
+  local size = geometry.length(geometry.minus(corner.to, corner.from))
+  if corner.centre then
+    move.arc, move.ccw, move.first, move.second = true, corner.sense > 0, corner.centre[1], corner.centre[2]
+    move.sweep = geometry.swept_between(corner.from, corner.to, corner.centre, corner.sense)
+    size = move.sweep * geometry.length(geometry.minus(corner.from, corner.centre))
+  end
+  move.feed = feed_of_part(first.feed, size / geometry.piece_length(piece))
+  return move
+end
+
+local function run_acts()
+  local waiting = acts
+  acts = {}
+  for _, f in ipairs(waiting) do filter.next:act(f) end
+end
+
+local function check_turn(mark, before, behind)
+  local turn = geometry.cross(before, behind)
+  if math.abs(turn) >= STRAIGHT then return turn > 0 and 1 or -1 end
+  if geometry.dot(before, behind) < 0 then
+    alarm("corner", "%s: the next move goes back the way this one came", mark)
+  end
+  return 0
+end
+
+-- Puts out the held move up to the corner and the corner; what is left of the second move, or nil. Moves that go on in
+-- one direction have no corner.
+local function join(first, second)
+  local mark, size = KEYS[first.corner.key], first.corner.size_mm
+  check_plane(second, first.plane, mark)
+  second.plane = first.plane
+  local a, b = piece_of(first), piece_of(second)
+  local sense = check_turn(mark, geometry.direction_at(a, a.to), geometry.direction_at(b, b.from))
+  if sense == 0 then
+    put_out(first, first.place)
+    run_acts()
+    return second
+  end
+  local corner = geometry[first.corner.key == "chamfer" and "chamfer" or "rounding"](a, b, size, sense)
+  if corner == nil then
+    alarm("corner", "%s of %.10g mm does not fit between the two moves, which are %.4f mm and %.4f mm long", mark, size,
+      geometry.piece_length(a), geometry.piece_length(b))
+  end
+  local start = part_of(first, a, nil, corner.from)
+  if start then put_out(start, first.place) end
+  put_out(corner_move(first, a, corner), first.place)
+  run_acts()
+  return part_of(second, b, corner.to, nil)
+end
+
+local installed = false
+
+local function install()
+  if not installed then path.add_filter(filter) end
+  installed = true
+end
+
+local function uninstall()
+  if held or wanted then return end
+  installed = false
+  path.remove_filter(filter)
+end
+
+local function goes_anywhere(move)
+  if move.arc then return true end
+  for letter, value in unordered(move.target) do
+    if math.abs(value - move.start[letter]) > SAME_MM then return true end
+  end
+  return false
+end
+
+local function no_move(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
+
+local function own_corner(move)
+  local own = wanted
+  wanted = nil
+  if own and own.place ~= move.place then no_move(own) end
+  return own
+end
+
+-- A move arrives: with a corner of its own it waits, else it goes on. One without length joins nothing.
+local function take(move)
+  local own = own_corner(move)
+  move.corner, move.plane = own, move.plane or plane_view.machine_plane(core.plane())
+  if not goes_anywhere(move) then
+    if own then no_move(own) end
+    return
+  end
+  if own then check_plane(move, own.plane, KEYS[own.key]) end
+  if held then
+    local first = held
+    held = nil
+    move = join(first, move)
+    if move == nil and own then alarm("corner", "%s: the corner before takes all of its move", KEYS[own.key]) end
+  end
+  if move and own then
+    held = move
+  elseif move then
+    put_out(move, move.place)
+  end
+end
+
+function filter:line(target, feed, kind, place)
+  take { start = axes.programmed_point(), target = target, feed = feed, kind = kind, place = place }
+  uninstall()
+end
+
+function filter:arc(plane, ccw, first, second, sweep, target, feed, place)
+  take {
+    start = axes.programmed_point(), arc = true, plane = plane, ccw = ccw, first = first, second = second,
+    sweep = sweep, target = target, feed = feed, place = place,
+  }
+  uninstall()
+end
+
+local function nothing_follows(what)
+  if held == nil then return end
+  local mark = KEYS[held.corner.key]
+  held = nil
+  alarm("corner", "%s joins its move to the next feed move (G1, G2, G3), but %s", mark, what)
+end
+
+function filter:rapid(target, place)
+  if wanted and wanted.place == place then
+    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[wanted.key])
+  end
+  nothing_follows("a rapid follows")
+  own_corner { place = place }
+  self.next:rapid(target, place)
+  uninstall()
+end
+
+function filter:act(f)
+  if held then acts[#acts + 1] = f else self.next:act(f) end
+end
+
+function filter:flush()
+  nothing_follows("none follows before the machine must stand")
+  if wanted then
+    local corner = wanted
+    wanted = nil
+    no_move(corner)
+  end
+end
+
+-- The factor by which scaling changes lengths in a plane.
+local function plane_scale(p, mark)
+  local function factor(letter) return space_between({}, axes.direction(letter)) end
+  local a, b = factor(p.first), factor(p.second)
+  if math.abs(a - b) > 1e-9 * a then
+    alarm("corner", "%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
+  end
+  return a
+end
+
+local function corner_word(key)
+  word(key, function(size)
+    if not given(size, KEYS[key]) then return end
+    if not (size >= 0 and size < math.huge) then
+      alarm("corner", "%s is a length of 0 or more, not %.10g", KEYS[key], size)
+    end
+    if wanted and wanted.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
+    if wanted then no_move(wanted) end
+    if size == 0 then return end
+    local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])
+    local plane = plane_view.machine_plane(core.plane())
+    wanted = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
+    install()
+  end)
+end
+corner_word("chamfer")
+corner_word("corner")
+
+-- Puts another corner in the place of the one that is wanted for the next move (nil: none), which is the result.
+local function exchange_corner(other)
+  local before = wanted
+  wanted = other
+  if wanted then install() end
+  return before
+end
+
+return { exchange = exchange_corner }

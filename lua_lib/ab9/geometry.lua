@@ -1,0 +1,141 @@
+-- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm; a piece of
+-- path has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise, -1 clockwise) and sweep.
+
+local g = use "common/comp_geometry"
+
+local SAME_MM = 1e-6
+local STRAIGHT = 1e-9   -- sine of the angle below which two directions are one
+local TURN = 2 * math.pi
+
+local minus, plus, length, cross, dot, unit = g.minus, g.plus, g.length, g.cross, g.dot, g.unit
+local function left_of(a) return g.normal(a, 1) end
+
+local function direction_at(piece, point)
+  if piece.centre == nil then return unit(minus(piece.to, piece.from)) end
+  local outward = unit(minus(point, piece.centre))
+  return { -piece.sense * outward[2], piece.sense * outward[1] }
+end
+
+local function piece_length(piece)
+  if piece.centre == nil then return length(minus(piece.to, piece.from)) end
+  return piece.radius * piece.sweep
+end
+
+-- The angle from one point to another as seen from a centre, in the sense of travel, 0 to 2 pi.
+local function swept_between(from, to, centre, sense)
+  local a, b = minus(from, centre), minus(to, centre)
+  return (sense * math.atan(cross(a, b), dot(a, b))) % TURN
+end
+
+local function distance_to(piece, point)
+  if piece.centre == nil then return dot(minus(point, piece.from), direction_at(piece)) end
+  local angle = swept_between(piece.from, point, piece.centre, piece.sense)
+  if TURN - angle < SAME_MM / piece.radius then angle = 0 end
+  return angle * piece.radius
+end
+
+-- How far along the piece a point on it is, from 0 at its start, mm; nil where it is beyond its ends. On an arc of
+-- several turns a point has no such distance.
+local function along(piece, point)
+  if piece.centre and piece.sweep > TURN + STRAIGHT then return nil end
+  local reached = distance_to(piece, point)
+  local on_it = reached >= -SAME_MM and reached <= piece_length(piece) + SAME_MM
+  return on_it and math.max(reached, 0) or nil
+end
+
+-- Where two curves meet, each a line {from, direction} or a circle {centre, radius}: a list of points.
+local function meet_lines(a, b)
+  local across = cross(a.direction, b.direction)
+  if math.abs(across) < STRAIGHT then return {} end
+  return { plus(a.from, a.direction, cross(minus(b.from, a.from), b.direction) / across) }
+end
+
+local function meet_line_circle(line, circle)
+  local to_centre = minus(circle.centre, line.from)
+  local foot = plus(line.from, line.direction, dot(to_centre, line.direction))
+  local height = length(minus(circle.centre, foot))
+  local half = circle.radius * circle.radius - height * height
+  if half < -SAME_MM * circle.radius then return {} end
+  half = math.sqrt(math.max(half, 0))
+  return { plus(foot, line.direction, half), plus(foot, line.direction, -half) }
+end
+
+local function meet_circles(a, b)
+  local between = minus(b.centre, a.centre)
+  local distance = length(between)
+  if distance < SAME_MM then return {} end
+  local reach = (a.radius * a.radius - b.radius * b.radius + distance * distance) / (2 * distance)
+  local half = a.radius * a.radius - reach * reach
+  if half < -SAME_MM * a.radius then return {} end
+  local axis = unit(between)
+  local foot = plus(a.centre, axis, reach)
+  half = math.sqrt(math.max(half, 0))
+  return { plus(foot, left_of(axis), half), plus(foot, left_of(axis), -half) }
+end
+
+local function meet(a, b)
+  if a.centre and b.centre then return meet_circles(a, b) end
+  if a.centre then return meet_line_circle(b, a) end
+  if b.centre then return meet_line_circle(a, b) end
+  return meet_lines(a, b)
+end
+
+-- The curve at the given distance to the left of a piece (to the right: below 0); nil where nothing is left of it.
+local function offset(piece, distance)
+  if piece.centre == nil then
+    local direction = direction_at(piece)
+    return { from = plus(piece.from, left_of(direction), distance), direction = direction }
+  end
+  local radius = piece.radius - piece.sense * distance
+  return radius > 0 and { centre = piece.centre, radius = radius } or nil
+end
+
+-- The point of a piece that is nearest to a point beside it.
+local function foot(piece, point)
+  if piece.centre == nil then
+    local direction = direction_at(piece)
+    return plus(piece.from, direction, dot(minus(point, piece.from), direction))
+  end
+  return plus(piece.centre, unit(minus(point, piece.centre)), piece.radius)
+end
+
+-- The rounding of radius r between two pieces: first tangent point, second one, centre, sense; nil where none fits.
+local function rounding(a, b, r, sense)
+  local one, two = offset(a, sense * r), offset(b, sense * r)
+  if one == nil or two == nil then return nil end
+  local best, nearest
+  for _, centre in ipairs(meet(one, two)) do
+    local from, to = foot(a, centre), foot(b, centre)
+    local distance = length(minus(centre, a.to))
+    if along(a, from) and along(b, to) and (nearest == nil or distance < nearest) then
+      best, nearest = { from = from, to = to, centre = centre, sense = sense }, distance
+    end
+  end
+  return best
+end
+
+-- The point of a piece at a distance from the corner, which is at its start or its end.
+local function point_from(piece, corner, distance, at_start)
+  if piece.centre == nil then
+    local way = direction_at(piece)
+    return plus(corner, way, at_start and distance or -distance)
+  end
+  if distance > 2 * piece.radius then return nil end
+  local angle = piece.sense * 2 * math.asin(distance / (2 * piece.radius)) * (at_start and 1 or -1)
+  local c, s = math.cos(angle), math.sin(angle)
+  local from = minus(corner, piece.centre)
+  return { piece.centre[1] + c * from[1] - s * from[2], piece.centre[2] + s * from[1] + c * from[2] }
+end
+
+local function chamfer(a, b, distance)
+  local from, to = point_from(a, a.to, distance, false), point_from(b, b.from, distance, true)
+  if from == nil or to == nil or not along(a, from) or not along(b, to) then return nil end
+  return { from = from, to = to }
+end
+
+return {
+  same_mm = SAME_MM, straight = STRAIGHT,
+  minus = minus, length = length, cross = cross, dot = dot,
+  direction_at = direction_at, piece_length = piece_length, along = along, meet = meet,
+  rounding = rounding, chamfer = chamfer, swept_between = swept_between,
+}

@@ -1,0 +1,218 @@
+-- Paramacros: a program called with arguments, which become its local variables #1 to #33. G65 calls once, G66 after
+-- each move, G66.1 for each block with the words of the block as arguments; G67 ends the last of them.
+
+local alarm, check_table = use("core/basics", "alarm", "check_table")
+local word, word_id = use("core/words", "word", "id")
+local motion, path, programs = use "common/motion", use "core/path", use "core/programs"
+
+local FIRST_LOCAL, LAST_LOCAL = 1, 33
+local MOST_LEVELS = 4        -- of macro calls inside each other; the main program is level 0
+local MOST_REPEATS = 9999
+
+-- Where each letter goes. I, J and K that occur more than once go to #4 to #33 in sets of three.
+local variable_of = {
+  a = 1, b = 2, c = 3, d = 7, e = 8, f = 9, h = 11, i = 4, j = 5, k = 6, m = 13, q = 17, r = 18, s = 19, t = 20,
+  u = 21, v = 22, w = 23, x = 24, y = 25, z = 26,
+}
+local in_set = { i = 0, j = 1, k = 2 }
+local MOST_SETS = 10
+
+local level = 0
+
+local function put(locals, number, value, letter)
+  if value ~= nil and type(value) ~= "number" then
+    alarm("script", "the argument %s of a macro call is no number", letter:upper())
+  end
+  if locals[number] ~= nil then
+    alarm("word-value", "two arguments of the macro call go to #%d, the last one by %s; give one of them", number,
+      letter:upper())
+  end
+  locals[number] = value
+end
+
+-- Repeated I, J, K in their order: a set begins where the letter does not come after the one before.
+local function put_sets(locals, pairs_in_order)
+  local set, last = 0, math.huge
+  for _, pair in ipairs(pairs_in_order) do
+    local letter, value = pair[1], pair[2]
+    local rank = in_set[letter]
+    if rank == nil then
+      alarm("word-value", "a macro call repeats I, J and K alone, not %s", tostring(letter):upper())
+    end
+    if rank <= last then set = set + 1 end
+    last = rank
+    if set > MOST_SETS then alarm("word-value", "a macro call takes at most %d sets of I, J and K", MOST_SETS) end
+    put(locals, 3 * set + 1 + rank, value, letter)
+  end
+end
+
+-- The local variables that the words of a call make.
+local function arguments(words, code, skipped)
+  local locals = {}
+  for key, value in pairs(words) do
+    if type(key) == "string" and not skipped[key] then
+      local number = variable_of[key]
+      if number == nil then
+        alarm("word-out-of-place", "%s: %s is no argument; there are A to F, H to K, M and Q to Z", code, key:upper())
+      end
+      put(locals, number, value, key)
+    end
+  end
+  put_sets(locals, words)
+  return locals
+end
+
+local function whole(value, code, letter, most)
+  local number = type(value) == "number" and math.tointeger(value)
+  if not number or number < 0 or number > most then
+    alarm("word-value", "%s of %s is a whole number from 0 to %d, not %s", letter, code, most, tostring(value))
+  end
+  return number
+end
+
+local function read_locals()
+  local held = {}
+  for number = FIRST_LOCAL, LAST_LOCAL do held[number] = rawget(env.v, number) end
+  return held
+end
+
+local function write_locals(values)
+  for number = FIRST_LOCAL, LAST_LOCAL do rawset(env.v, number, values[number]) end
+end
+
+-- Runs a program with these local variables. The results are what it leaves in them, and the block at which the caller
+-- is asked to go on (M99 P), or nil.
+local function run(number, times, locals)
+  if level == MOST_LEVELS then
+    alarm("nesting", "the macro O%d is called more than %d macro levels deep", number, MOST_LEVELS)
+  end
+  local outer = read_locals()
+  level = level + 1
+  write_locals(locals)
+  local block = programs.call_program(number, times)
+  local left = read_locals()
+  write_locals(outer)
+  level = level - 1
+  return left, block
+end
+
+local function check_jump(block, can_jump)
+  if block and not can_jump then
+    alarm("jump",
+      "M99 P%d of the macro asks to go on at N%d of the program that calls it, which cannot be done from here", block,
+      block)
+  end
+end
+
+local CALL_WORDS = { p = true, l = true }
+
+local function call_of(words, code)
+  check_table(words, code)
+  if words == nil or words.p == nil then alarm("word-missing", "%s needs P, the number of the macro", code) end
+  return {
+    number = whole(words.p, code, "P", 2 ^ 31 - 1),
+    times = words.l == nil and 1 or whole(words.l, code, "L", MOST_REPEATS),
+    locals = arguments(words, code, CALL_WORDS),
+    every_block = code == "G66.1",
+  }
+end
+
+-- As with M98 the translator adds `true` where the caller can go on at any of its blocks.
+word("G65", function(words, can_jump)
+  local call = call_of(words, "G65")
+  local _, block = run(call.number, call.times, call.locals)
+  check_jump(block, can_jump)
+  return block
+end)
+
+-- The modal call in force; `outer` is the one before it, which acts on the moves of this one's macro.
+local modal
+
+local use_modal
+
+-- Runs the macro of the modal call; within it the outer one is in force.
+local function run_modal(locals)
+  local call = modal
+  use_modal(call.outer)
+  local left, block = run(call.number, call.times, locals)
+  check_jump(block, false)
+  use_modal(call)
+  return left
+end
+
+-- The arguments are set by G66; from one call to the next the macro keeps what it leaves in them.
+local function behind_move()
+  modal.locals = run_modal(modal.locals)
+end
+
+-- G66.1: while it is in force these words gather arguments in place of acting. A block ends with its motion, or
+-- where a word of another line comes.
+local motion_code = { G0 = 0, G1 = 1, G2 = 2, G3 = 3 }
+local gathered, gathered_line
+
+local function fire()
+  if gathered == nil then return end
+  local words = gathered
+  gathered = nil
+  local locals = arguments(words, "G66.1", { g = true, l = true, p = true })
+  for number, letter in pairs { [10] = "g", [12] = "l", [16] = "p" } do
+    if words[letter] ~= nil then put(locals, number, words[letter], letter) end
+  end
+  run_modal(locals)
+end
+
+local function gather()
+  local line = core.place()
+  if gathered and gathered_line ~= line then fire() end
+  gathered, gathered_line = gathered or {}, line
+  return gathered
+end
+
+local collectors = {}
+for _, name in ipairs { "F", "S", "T", "D", "H" } do
+  local key = name:lower()
+  collectors[name] = core.word(word_id(), function(value) gather()[key] = value end)
+end
+for _, name in ipairs { "G0", "G1", "G2", "G3", "move" } do
+  collectors[name] = core.word(word_id(), function(words)
+    check_table(words, name)
+    local block = gather()
+    for key, value in pairs(words or {}) do block[key] = value end
+    block.g = motion_code[name]
+    if words ~= nil then fire() end
+  end)
+end
+
+function use_modal(call)
+  modal = call
+  path.each_move(call ~= nil and not call.every_block and behind_move or nil)
+  motion.cover("modal macro", call ~= nil and call.every_block and collectors or nil)
+end
+
+local function define_modal(name, code)
+  word(name, function(words)
+    fire()
+    local call = call_of(words, code)
+    if call.every_block and next(call.locals) then
+      alarm("word-out-of-place", "G66.1 takes no arguments; each block that follows gives its own")
+    end
+    programs.find_program(call.number)
+    call.outer = modal
+    use_modal(call)
+  end)
+end
+define_modal("G66", "G66")
+define_modal("G66_1", "G66.1")
+
+word("G67", function()
+  fire()
+  if modal ~= nil then use_modal(modal.outer) end
+end)
+
+-- The modal call in force, for the system variables: 66, 66.1 or 67.
+local function modal_macro_code()
+  if modal == nil then return 67 end
+  return modal.every_block and 66.1 or 66
+end
+
+return { modal_code = modal_macro_code }

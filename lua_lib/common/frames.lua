@@ -1,0 +1,48 @@
+-- Units, absolute or incremental dimensions, planes, and what the words of offsets share.
+
+local alarm = use("core/basics", "alarm")
+local word = use("core/words", "word")
+local axes, compensation = use "core/axes", use "common/compensation"
+
+local is_ngc = core.dialect == "rs274ngc"
+
+local AXES = { a = true, b = true, c = true, u = true, v = true, w = true, x = true, y = true, z = true }
+
+-- Words that are no axis of the machine. In RS274/NGC 0 for an axis that it does not have changes nothing.
+local function no_axis(letter, value, name)
+  local is_axis = not is_ngc or AXES[letter]
+  if is_ngc and is_axis and value == 0 then return end
+  if is_axis then alarm("axis", "%s: the machine has no axis %s", name, tostring(letter):upper()) end
+  alarm("word-out-of-place", "%s takes no word '%s'", name, tostring(letter))
+end
+
+-- Calls set(letter, value in mm or deg) for each axis word; other keys that may stand there are in `others`, each
+-- between blanks. False where no axis is named.
+local function each_axis(words, name, others, set)
+  if type(words) ~= "table" then alarm("word-missing", "%s needs axis words", name) end
+  local any = false
+  for letter, value in pairs(words) do
+    if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, tostring(letter)) end
+    if axes.is_rotary[letter] ~= nil then
+      any = true
+      set(letter, axes.in_mm(letter, axes.word_in_units(letter, value)))
+    elseif others:find(" " .. tostring(letter) .. " ", 1, true) == nil then
+      no_axis(letter, value, name)
+    end
+  end
+  return any
+end
+
+word("G20", function() core.set_unit(25.4) end)
+word("G21", function() core.set_unit(1) end)
+word("G90", function() core.set_incremental(false) end)
+word("G91", function() core.set_incremental(true) end)
+
+for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
+  word(name, function()
+    if is_ngc and plane ~= core.plane() then compensation.refuse(name .. ", a change of the plane,") end
+    core.set_plane(plane)
+  end)
+end
+
+return { each_axis = each_axis }

@@ -1,0 +1,31 @@
+-- The control's own inputs and outputs. They are signals where there are processes: DI1, AI1, DO1 and AO1, or left.DI1
+-- where robots have names.
+
+local alarm = use("core/basics", "alarm")
+
+local processes = core.processes
+
+local inputs = {}
+
+-- on_input(f): what f answers is the value of an input; what it is asked is the dialect's.
+function env.on_input(f)
+  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
+  inputs.answer = f
+end
+
+function inputs.io_signal(kind, number) return core.signal_prefix .. kind .. number end
+
+function inputs.set_output(kind, number, value)
+  if not processes.several() then return end
+  processes.join()
+  processes.signal(inputs.io_signal(kind, number), value)
+end
+
+-- The value of an input now; nil where there are no processes.
+function inputs.input_value(kind, number)
+  if not processes.several() then return nil end
+  processes.join()
+  return processes.value(inputs.io_signal(kind, number))
+end
+
+return inputs

@@ -1,0 +1,54 @@
+-- FIXED and REFERENCE points of the machine data, for scripts: fixed "CLAMP1", fixed(3), reference(2).
+
+local alarm = use("core/basics", "alarm")
+local axes = use "core/axes"
+
+local MOST_NAMED = 10
+
+-- A point as axis words in program units, so that G53() G0(fixed "CLAMP1") goes there in mm, in inches and where X is a
+-- diameter. Axes that the machine does not have, or the point no value for, are left out. Each call gives a table of its
+-- own, of which a script may change or take away words.
+local function words_of(point)
+  local words = {}
+  for _, axis in ipairs(axes.list) do
+    local letter, value = axis.letter, point[axis.letter]
+    words[letter] = value and axes.in_program_units(letter, value) / core.word_factor(letter)
+  end
+  return words
+end
+
+local function known(points)
+  local numbers, texts = {}, {}
+  for number in pairs(points) do numbers[#numbers + 1] = number end
+  table.sort(numbers)
+  for i = 1, math.min(#numbers, MOST_NAMED) do
+    local name = points[numbers[i]].name
+    texts[i] = name and ("%d (%s)"):format(numbers[i], name) or ("%d"):format(numbers[i])
+  end
+  local more = #numbers > MOST_NAMED and (" and %d more"):format(#numbers - MOST_NAMED) or ""
+  return #numbers == 0 and "there are none" or "there are " .. table.concat(texts, ", ") .. more
+end
+
+-- env[name](which) gives a point of that table by its number, or by its name in any case. `what` is a point for people,
+-- `section` where the machine data have it.
+local function define(name, points, what, section)
+  local by_name = {}
+  for _, point in pairs(points) do
+    if point.name then by_name[point.name:upper()] = point end
+  end
+  env[name] = function(which)
+    local is_name = type(which) == "string"
+    if not is_name and type(which) ~= "number" then
+      alarm("script", "%s takes the name of a %s or its number: %s \"CLAMP1\", %s(1)", name, what, name, name)
+    end
+    local point
+    if is_name then point = by_name[which:upper()] else point = points[which] end
+    if point then return words_of(point) end
+    local call = is_name and ("%s %q"):format(name, which) or ("%s(%.14g)"):format(name, which)
+    alarm("word-value", "%s: no %s has that %s; %s. A line of section %s of the machine data gives one: number X Y Z%s",
+      call, what, is_name and "name" or "number", known(points), section, is_name and " NAME=" .. which or "")
+  end
+end
+
+define("fixed", core.fixed, "fixed point", "FIXED")
+define("reference", core.references, "reference point", "REFERENCE")

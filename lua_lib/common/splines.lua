@@ -1,0 +1,168 @@
+-- Curves in the XY plane by control points, as LinuxCNC drives them: four times as many stretches as there are control
+-- points, each a pair of arcs that have its ends and its tangents.
+
+local space_between = use("core/basics", "space_between")
+
+local STRETCHES_FOR_A_POINT = 4
+local TANGENT_STEP = 1e-5    -- of the parameter: tangents are chords of twice as much
+local STRAIGHT_MM2 = 1e-6    -- twice a triangle's area: an arc with less between chord and tangent is a line
+
+local splines = {}
+
+-- A control point with weight is {w x, w y, w z, w}: affine sums of such points are those of the curve.
+local function weighted(point, weight)
+  return { point.x * weight, point.y * weight, point.z * weight, weight }
+end
+
+local function mixed(a, b, part)
+  local point = {}
+  for i = 1, 4 do point[i] = a[i] + (b[i] - a[i]) * part end
+  return point
+end
+
+local function place_of(point) return { x = point[1] / point[4], y = point[2] / point[4], z = point[3] / point[4] } end
+
+-- Knots of a NURBS that begins at its first control point and ends at its last, evenly spaced between.
+local function even_knots(count, order)
+  local knots = {}
+  for i = 1, count + order do knots[i] = math.max(0, math.min(i - order, count - order + 1)) end
+  return knots
+end
+
+-- The blossom (polar form) of span `span`, whose control points are points[span - degree .. span].
+local function blossom(points, knots, degree, span, arguments)
+  local row = {}
+  for i = 0, degree do row[i] = points[span - degree + i] end
+  for level = 1, degree do
+    for i = degree, level, -1 do
+      local low, high = knots[span - degree + i], knots[span + 1 + i - level]
+      row[i] = mixed(row[i - 1], row[i], (arguments[level] - low) / (high - low))
+    end
+  end
+  return row[degree]
+end
+
+-- The place on a curve, its parameter from 0 to count - degree.
+local function place_at(curve, parameter)
+  local degree = curve.order - 1
+  local span = math.min(math.floor(parameter) + curve.order, #curve.points)
+  local arguments = {}
+  for level = 1, degree do arguments[level] = parameter end
+  return place_of(blossom(curve.points, curve.knots, degree, span, arguments))
+end
+
+local function unit(x, y)
+  local length = math.sqrt(x * x + y * y)
+  if length == 0 then return 0, 0 end
+  return x / length, y / length
+end
+
+local function tangent_at(curve, parameter, last)
+  local a = place_at(curve, math.max(0, parameter - TANGENT_STEP))
+  local b = place_at(curve, math.min(last, parameter + TANGENT_STEP))
+  return { unit(b.x - a.x, b.y - a.y) }
+end
+
+-- The arc from a to b that leaves along a tangent, or the line.
+local function add_arc(pieces, a, b, tangent)
+  local x, y = b.x - a.x, b.y - a.y
+  local aside = 2 * (y * tangent[1] - x * tangent[2])
+  local piece = { x = b.x, y = b.y, z = b.z }
+  pieces[#pieces + 1] = piece
+  piece.length = math.sqrt(x * x + y * y)
+  if math.abs(aside) <= STRAIGHT_MM2 then return end
+  local radius = (x * x + y * y) / aside   -- above 0: the centre is on the left
+  piece.ccw = radius > 0
+  piece.first, piece.second = a.x - tangent[2] * radius, a.y + tangent[1] * radius
+  piece.sweep = 2 * math.atan(math.abs(aside) / 2, x * tangent[1] + y * tangent[2])
+  piece.length = math.abs(radius) * piece.sweep
+end
+
+-- How far the corners of both arcs' tangents are from the ends: as far from the one as from the other. None where the
+-- tangents lead away.
+local function reach(a, b, out, into)
+  local vx, vy = a.x - b.x, a.y - b.y
+  local square = vx * vx + vy * vy
+  local along = 2 * (vx * (out[1] + into[1]) + vy * (out[2] + into[2]))
+  local turned = 2 * (1 - out[1] * into[1] - out[2] * into[2])
+  local rest = math.sqrt(along * along + 4 * turned * square) - along
+  if not (rest > 0) then return nil end
+  return 2 * square / rest
+end
+
+local function add_pair(pieces, a, b, out, into)
+  local far = reach(a, b, out, into)
+  if far == nil then
+    pieces[#pieces + 1] = { x = b.x, y = b.y, z = b.z, length = space_between(a, b) }
+    return
+  end
+  local before = { x = a.x + far * out[1], y = a.y + far * out[2] }
+  local after = { x = b.x - far * into[1], y = b.y - far * into[2] }
+  local meeting = { x = (before.x + after.x) / 2, y = (before.y + after.y) / 2, z = (a.z + b.z) / 2 }
+  add_arc(pieces, a, meeting, out)
+  add_arc(pieces, meeting, b, { unit(after.x - meeting.x, after.y - meeting.y) })
+end
+
+-- Arcs and lines along a NURBS with these control points ({x, y, z} in mm) and weights, one behind the other: each has
+-- its end x, y, z, its length, and if it is an arc ccw, its centre first, second, and sweep (rad).
+function splines.arcs(points, weights, order)
+  local held = {}
+  for i, point in ipairs(points) do held[i] = weighted(point, weights[i]) end
+  local curve = { points = held, order = order, knots = even_knots(#points, order) }
+  local last, stretches = #points - order + 1, STRETCHES_FOR_A_POINT * #points
+  local pieces, from, out = {}, points[1], tangent_at(curve, 0, last)
+  for i = 1, stretches do
+    local parameter = last * i / stretches
+    local to = i == stretches and points[#points] or place_at(curve, parameter)
+    local into = tangent_at(curve, parameter, last)
+    add_pair(pieces, from, to, out, into)
+    from, out = to, into
+  end
+  return pieces
+end
+
+local SHORTEST_STEP, LONGEST_STEP = 0.002, 0.1   -- of the parameter, from 0 to 1
+
+-- How far the middle of the line from `a` to `b` is from `middle`, as the sum of its coordinates.
+local function off(a, middle, b)
+  return math.abs((a.x + b.x) / 2 - middle.x) + math.abs((a.y + b.y) / 2 - middle.y)
+end
+
+-- The chords, as lines of splines.arcs, of a cubic Bezier curve with these four control points, as grblHAL chooses them
+-- (mc_cubic_b_spline() of its motion_control.c): a step of the parameter is that of the chord before, halved until the
+-- middle of the chord is within `tolerance` of the curve, or, where it was so at once, doubled while it stays so.
+function splines.chords(points, tolerance)
+  local curve = { points = {}, order = #points, knots = even_knots(#points, #points) }
+  for i, point in ipairs(points) do curve.points[i] = weighted(point, 1) end
+  local chords, from, at, step = {}, points[1], 0, LONGEST_STEP
+  while at < 1 do
+    local to = math.min(at + step, 1)
+    local place, halved = place_at(curve, to), false
+    while to - at >= SHORTEST_STEP do
+      local middle = place_at(curve, (at + to) / 2)
+      if off(from, middle, place) <= tolerance then break end
+      to, place, halved = (at + to) / 2, middle, true
+    end
+    while not halved and to - at <= LONGEST_STEP do
+      local further = at + 2 * (to - at)
+      if further >= 1 then break end
+      local candidate = place_at(curve, further)
+      if off(from, place, candidate) > tolerance then break end
+      to, place = further, candidate
+    end
+    if to == 1 then place = points[#points] end
+    chords[#chords + 1] = { x = place.x, y = place.y, z = place.z, length = space_between(from, place) }
+    step, at, from = to - at, to, place
+  end
+  return chords
+end
+
+-- The four control points of the cubic curve that is a quadratic one with these three.
+function splines.raised(points)
+  local a, middle, b = points[1], points[2], points[3]
+  local function toward(point) return { x = point.x + (middle.x - point.x) * 2 / 3,
+    y = point.y + (middle.y - point.y) * 2 / 3, z = point.z + (middle.z - point.z) * 2 / 3 } end
+  return { a, toward(a), toward(b), b }
+end
+
+return splines

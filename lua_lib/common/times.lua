@@ -1,0 +1,47 @@
+-- How long words take: [times] of the machine file, in s. core.times is nil where there is no such table, else
+-- { tool_change = 8.0, ..., codes = { M100 = 0.5 } }.
+
+local path, process, words = use "core/path", use "common/process", use "core/words"
+
+local times = core.times
+if times == nil then return end
+
+-- The name of the time of each word.
+local named = {
+  M3 = "spindle_start", M4 = "spindle_start", M5 = "spindle_stop",
+  M6 = "tool_change", M7 = "coolant_on", G10 = "tool_table",
+}
+local tool_tables = { [10] = true, [11] = true }  -- L of G10
+if core.dialect == "rs274ngc" then
+  named.M8, named.M9 = "coolant_on", "coolant_off"
+  tool_tables[1] = true
+else
+  if core.process == nil then named.M8, named.M9 = "process_on", "process_off" end
+  tool_tables[12], tool_tables[13] = true, true
+end
+
+-- How long it takes, and the key of [times] that says so.
+local function time_of(code, given)
+  if times.codes[code] then return times.codes[code], code end
+  if code == "G10" and not tool_tables[given.l] then return 0 end
+  local entry = process.entry(code, given)
+  local of_process = entry and (entry.on and "process_on" or "process_off")
+  local name = of_process and times[of_process] > 0 and of_process or named[code]
+  if not name then return 0 end
+  return times[name], name .. "_s"
+end
+
+local function take_time(code, given)
+  local seconds, key = time_of(code, given)
+  local place = core.place()
+  if seconds > 0 then path.act(function() core.take_time(seconds, key, place) end) end
+end
+
+local timed = {}
+for _, codes in ipairs { named, times.codes } do
+  for code in pairs(codes) do timed[code] = true end
+end
+for _, list in ipairs(core.process and { core.process.on, core.process.off } or {}) do
+  for _, entry in ipairs(list) do timed[entry.code] = true end
+end
+for code in pairs(timed) do words.after(code, "times", take_time) end

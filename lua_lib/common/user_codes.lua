@@ -1,0 +1,64 @@
+-- User M codes: a script, or the machine data, defines `M[101] = function(words) ... end`; a program calls it by its
+-- number.
+
+local alarm, check_table = use("core/basics", "alarm", "check_table")
+local words = use "core/words"
+
+local LAST = 999
+
+local defined = {}
+local ids = {}   -- word id by number: a code that is defined anew keeps its id
+
+local function nothing() end
+
+local function undefined(number)
+  return function()
+    alarm("code-unknown",
+      "M%s means nothing on this machine; define it before the program runs: M[%s] = function(words) ... end",
+      tostring(number), tostring(number))
+  end
+end
+
+local function check(number, meaning)
+  local whole = math.tointeger(number)
+  if whole == nil or whole < 0 or whole > LAST then
+    alarm("script", "M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
+  end
+  if words.is_known("M" .. whole) then
+    alarm("script", "M[%d]: M%d is a code of the control itself", whole, whole)
+  end
+  if meaning ~= nil and type(meaning) ~= "function" then
+    alarm("script", "M[%d] takes a function: M[%d] = function(words) ... end", whole, whole)
+  end
+  return whole
+end
+
+local function make_word(whole, meaning)
+  local hooked   -- made at the first call: by then all hooks are known
+  ids[whole] = ids[whole] or words.id()
+  defined[whole] = core.word(ids[whole], function(given)
+    check_table(given, ("M[%d]"):format(whole))
+    hooked = hooked or words.with_hooks("M" .. whole, meaning)
+    return hooked(given or {})
+  end)
+  return defined[whole]
+end
+
+-- Of a code that is not defined, what goes before and after it alone.
+local function of_hooks(number)
+  local whole = math.tointeger(number)
+  return whole and words.is_hooked("M" .. whole) and make_word(whole, nothing) or undefined(number)
+end
+
+local function define(number, meaning)
+  local whole = check(number, meaning)
+  defined[whole] = meaning and make_word(whole, meaning)
+end
+
+local M = setmetatable({}, {
+  __index = function(_, number) return defined[number] or of_hooks(number) end,
+  __newindex = function(_, number, meaning) define(number, meaning) end,
+})
+env.M = M
+
+return M

@@ -1,0 +1,58 @@
+-- The axes of the machine, and where they stand.
+
+local alarm = use("core/basics", "alarm")
+
+local axes = { list = core.axes(), is_rotary = {} }
+local is_rotary = axes.is_rotary
+for _, axis in ipairs(axes.list) do is_rotary[axis.letter] = axis.rotary end
+
+local function point_of(position)
+  local point = {}
+  for _, axis in ipairs(axes.list) do point[axis.letter] = position(axis.letter) end
+  return point
+end
+
+-- Where the program stands and where the machine stands, in machine coordinates of all axes. They differ while a filter
+-- of the path moves or holds back moves.
+function axes.programmed_point() return point_of(core.position) end
+function axes.machine_point() return point_of(core.machine_position) end
+
+local unwinding = {}
+for _, axis in ipairs(axes.list) do
+  if axis.unwinds then unwinding[#unwinding + 1] = axis.letter end
+end
+
+-- A point as the control shows it: axes that unwind show no whole turns.
+function axes.shown(point)
+  for _, letter in ipairs(unwinding) do point[letter] = core.reading(letter, point[letter]) end
+  return point
+end
+
+-- The program coordinates of the programmed point, in mm and deg.
+function axes.program_position()
+  return core.to_program(#unwinding > 0 and axes.shown(axes.programmed_point()) or {})
+end
+
+-- The value of an axis word in program units, of which it may count another number (core.set_word_factor).
+function axes.word_in_units(letter, value)
+  return is_rotary[letter] ~= nil and value * core.word_factor(letter) or value
+end
+
+-- The value of an axis in mm or deg, and in program units.
+function axes.in_mm(letter, value) return is_rotary[letter] and value or value * core.unit_mm() end
+function axes.in_program_units(letter, value) return is_rotary[letter] and value or value / core.unit_mm() end
+
+-- The direction of a program axis in the machine; with scaling its length is the factor.
+function axes.direction(letter)
+  local x, y, z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
+  return { x = x, y = y, z = z }
+end
+
+-- What means places of the axes themselves.
+function axes.refuse_with_tip_control(what)
+  if core.tip_control() then
+    alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)
+  end
+end
+
+return axes

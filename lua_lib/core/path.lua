@@ -1,0 +1,253 @@
+-- The way of every move from the words to the machine. Between them stand filters, such as cutter compensation: each
+-- hands on what it lets through to the next one, and may hold moves back until it knows those that follow.
+
+local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/shape"
+
+local SHAPE_BY_FILTER = "a filter of the path"
+local SAME_MM = 1e-9
+
+-- The end of the chain: the machine.
+local machine = {}
+function machine:rapid(target, place) core.rapid_to(target, place) end
+function machine:line(target, feed, kind, place) core.line_to(target, feed, place, kind) end
+function machine:arc(plane, ccw, first, second, sweep, target, feed, place)
+  core.arc(plane, ccw, first, second, sweep, target, feed, place)
+end
+function machine:act(f) f() end
+function machine:flush() end
+
+local filters = {}   -- first to last
+local head = machine
+local before_feed_move, after_move   -- called before each programmed feed move and behind each move, or nil
+local told_otherwise                 -- turns events into others, or nil
+local stop_rule                      -- of the word under way, where the control has one of its own for it
+
+local path = {}
+
+local function link()
+  local following = machine
+  for i = #filters, 1, -1 do
+    filters[i].next = following
+    following = filters[i]
+  end
+  head = following
+  shape(SHAPE_BY_FILTER, head ~= machine)
+  if head == machine then core.set_programmed(nil) end
+end
+
+-- A filter holds rapid, line, arc, act and flush as the machine above has them. Moves come to the filter with the least
+-- `rank` first (50 where it has none).
+local MIDDLE_RANK = 50
+
+function path.add_filter(filter)
+  local place = #filters + 1
+  while place > 1 and (filters[place - 1].rank or MIDDLE_RANK) > (filter.rank or MIDDLE_RANK) do place = place - 1 end
+  table.insert(filters, place, filter)
+  link()
+end
+
+-- What the filter still holds back goes out first.
+function path.remove_filter(filter)
+  filter:flush()
+  for i = #filters, 1, -1 do
+    if filters[i] == filter then table.remove(filters, i) end
+  end
+  link()
+end
+
+local function moved(target)
+  if head ~= machine then core.set_programmed(target) end
+  if after_move then after_move() end
+end
+
+-- The machine stands elsewhere than the program takes it to be, until the next move leads it on.
+local elsewhere = {}
+local stands_elsewhere = false
+
+local function lead_on()
+  stands_elsewhere = false
+  path.remove_filter(elsewhere)
+end
+
+function elsewhere:rapid(...)
+  lead_on()
+  self.next:rapid(...)
+end
+
+function elsewhere:line(...)
+  lead_on()
+  self.next:line(...)
+end
+
+-- An arc begins where the program is, as far as its plane goes.
+function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
+  local start, view = axes.programmed_point(), plane_view.view(plane)
+  local from, at = view:at(start), view:at(axes.machine_point())
+  lead_on()
+  if math.abs(from[1] - at[1]) > SAME_MM or math.abs(from[2] - at[2]) > SAME_MM then self.next:rapid(start, place) end
+  self.next:arc(plane, ccw, first, second, sweep, target, feed, place)
+end
+
+function elsewhere:act(f) self.next:act(f) end
+function elsewhere:flush() end
+
+-- The program goes on from `point`, in machine coordinates of all axes, and the machine stays where it is.
+function path.go_on_from(point)
+  stands_elsewhere = true
+  path.add_filter(elsewhere)
+  core.set_programmed(point)
+end
+
+function path.stands_elsewhere() return stands_elsewhere end
+
+function path.rapid(target)
+  head:rapid(target, head ~= machine and core.place() or nil)
+  moved(target)
+end
+
+function path.line(target, feed, kind)
+  if before_feed_move then before_feed_move(target) end
+  if head == machine then
+    core.line_to(target, feed, nil, kind)
+  else
+    head:line(target, feed or core.take_feed(), kind, core.place())
+  end
+  moved(target)
+end
+
+-- A straight feed move that a signal ends, once all that is held back has gone out. See core.probe.
+function path.probe(target, away, signal)
+  path.flush()
+  if stands_elsewhere then lead_on() end
+  local found, at_start, point = core.probe(target, nil, nil, away, signal)
+  if head ~= machine then core.set_programmed(axes.machine_point()) end
+  if after_move then after_move() end
+  return found, at_start, point
+end
+
+function path.arc(plane, ccw, first, second, sweep, target, feed)
+  if before_feed_move then before_feed_move(target) end
+  if head == machine then
+    core.arc(plane, ccw, first, second, sweep, target, feed)
+    if after_move then after_move() end
+    return
+  end
+  head:arc(plane, ccw, first, second, sweep, target, feed or core.take_feed(sweep), core.place())
+  moved(target)
+end
+
+-- Something that happens between the moves, in their order.
+function path.act(f) head:act(f) end
+
+function path.dwell(seconds)
+  if head == machine then
+    core.dwell(seconds)
+  else
+    local place = core.place()
+    head:act(function() core.dwell(seconds, place) end)
+  end
+end
+
+-- Events for which the machine does not stop.
+local in_passing = {}
+for _, kind in ipairs { "message", "print", "debug", "log", "log_open", "log_append", "log_close", "probe_open",
+                        "probe_close", "print_open", "print_close", "tool_select", "override" } do
+  in_passing[kind] = true
+end
+
+-- When an event is that its word does not say otherwise of. `changed`: false where it switches nothing.
+local function when_of(kind, changed)
+  if stop_rule == "always" then return "at_rest" end
+  if stop_rule == "never" then return "in_passing" end
+  if stop_rule == "on-change" then return changed == false and "in_passing" or "at_rest" end
+  return in_passing[kind] and "in_passing" or "at_rest"
+end
+
+-- f(kind, detail) gives the kind and the detail that are told in place of an event's.
+function path.tell_otherwise(f) told_otherwise = f end
+
+-- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
+function path.event(kind, detail, when, changed)
+  if told_otherwise then kind, detail = told_otherwise(kind, detail) end
+  when = when or when_of(kind, changed)
+  if head == machine then
+    core.event(kind, detail, nil, when)
+  else
+    local place = core.place()
+    head:act(function() core.event(kind, detail, place, when) end)
+  end
+end
+
+-- meaning(...), at which the control waits by a rule of its own.
+function path.by_rule(rule, meaning, ...)
+  local outer = stop_rule
+  stop_rule = rule
+  if rule == "always" then path.wait() end
+  local result = meaning(...)
+  stop_rule = outer
+  return result
+end
+
+-- The control reads on when all moves so far have been made.
+function path.wait() head:act(core.wait) end
+
+-- The same, unless the control waits at the word under way only where that changes something.
+function path.wait_for(changed)
+  if changed or stop_rule ~= "on-change" then path.wait() end
+end
+
+-- The same, if the control has a rule for `name`, which is part of a word's meaning, and by that waits.
+function path.wait_at(name)
+  if core.stops[name] == "always" then path.wait() end
+end
+
+-- How the moves that follow pass their ends: "exact_stop", "exact_path" (without a stop where the path goes straight on)
+-- or "continuous", within tolerances of the path and of merged lines (mm; 0: as the controller does).
+local mode, tolerance, merging
+
+local function set_mode()
+  local m, t, q = mode, tolerance, merging
+  head:act(function() core.set_path_mode(m, t, q) end)
+end
+
+function path.set_mode(name, tolerance_mm, merge_tolerance_mm)
+  mode, tolerance, merging = name, tolerance_mm or 0, merge_tolerance_mm or 0
+  set_mode()
+end
+path.set_mode("continuous")
+
+-- f() moves in another mode than that of the program.
+function path.in_mode(name, f)
+  head:act(function() core.set_path_mode(name, 0, 0) end)
+  f()
+  set_mode()
+end
+
+-- Where the machine's controller brings each move to rest, a mode that would not is said to make no difference.
+function path.warn_of_stops(name)
+  if core.stops_at_each_move then
+    core.warn(name .. ": the controller of this machine brings each move to rest; one that does not is faster "
+      .. "([controller] of the machine file)")
+  end
+end
+
+-- All that filters hold back goes to the machine: it is where the program is, as far as they let it.
+function path.flush()
+  for _, filter in ipairs(filters) do filter:flush() end
+end
+
+function path.is_filtered() return head ~= machine end
+
+-- f(target) is called before each programmed feed move (constant surface speed); nil: no more.
+function path.before_feed_moves(f)
+  before_feed_move = f
+  shape("a call before each feed move", f ~= nil)
+end
+
+-- f() is called behind each programmed move (modal macro calls); nil: no more.
+function path.each_move(f)
+  after_move = f
+  shape("a call behind each move", f ~= nil)
+end
+
+return path

@@ -1,0 +1,170 @@
+-- Programs, subprograms, and the end of a run.
+
+local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local word = use("core/words", "word")
+local calls, path = use "core/calls", use "core/path"
+
+local MOST = 2^31 - 1     -- of a program number, and of repeats
+local TO_START = "M99"   -- what a program returns where it ends in M99
+
+local programs = {}
+local first
+local last    -- the program that was defined last: its parts, and `following`, the one behind it in the file
+
+-- program(number or nil, function): a program of this file; the first one of the file runs once the file is loaded.
+function env.program(name, body)
+  local own = { body }
+  local function run()
+    local parts = own
+    repeat
+      for _, part in ipairs(parts) do
+        local ended = part()
+        if ended ~= nil then return (parts == own or ended ~= TO_START) and ended or nil end
+      end
+      parts = parts.following
+    until parts == nil
+  end
+  -- RS274/NGC: an O-word that a program comes upon is only a mark; M99 behind it ends the run.
+  if last and core.dialect == "rs274ngc" then last.following = own end
+  last = own
+  -- Of several with one number the first one behind the main program is called (RS274/NGC has such files).
+  if name ~= nil and (programs[name] == nil or programs[name] == first) then programs[name] = run end
+  first = first or run
+end
+
+-- more(function): that program goes on, behind the definition of a subroutine.
+function env.more(body)
+  if last == nil then alarm("script", "more() goes on with a program, and none has begun") end
+  last[#last + 1] = body
+end
+
+-- A main program that leads back to its start, or by its last block to one of its blocks, goes on for ever on the
+-- machine. Here it makes as many passes as are asked for.
+local passes = 0
+
+local function pass_ended(block)
+  passes = passes + 1
+  core.note_pass(passes, block)
+  return passes >= core.passes
+end
+
+-- Whether the jump back to that block, by which the main program ends, ends its last pass.
+function env.last_pass(block)
+  core.note_place()
+  return pass_ended(block)
+end
+
+local function run_first()
+  if first ~= nil then
+    repeat
+      local ended = first()
+      path.flush()
+    until ended ~= TO_START or pass_ended()
+  end
+  path.flush()
+end
+
+-- Loads a file beside this one, for a number or a name: whether there is one, and its first program or nil.
+local function load_file(name)
+  local outer, outer_last = first, last
+  first, last = nil, nil
+  local load = core.load_program(name)
+  if load then load() end
+  local body = first
+  first, last = outer, outer_last
+  return load ~= nil, body
+end
+
+-- The program of a file beside this one: the one with that number, or the first of the file.
+local function load_beside(number)
+  local found, body = load_file(number)
+  body = programs[number] or body
+  programs[number] = found and body or nil
+  return programs[number]
+end
+
+-- The body of the program with this number, in this file or beside it.
+local function find_program(number)
+  return programs[number] or load_beside(number)
+    or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
+end
+
+local function whole(value, name)
+  value = nearly_whole(value)
+  if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MOST then
+    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
+  end
+  return math.tointeger(value)
+end
+
+-- run(name): the first program of a file beside the script, on this robot. Its end, M30 say, ends it alone.
+function env.run(name)
+  if type(name) ~= "string" then
+    alarm("script", "run takes the name of a part program beside the script: run(\"part.nc\")")
+  end
+  local found, body = load_file(name)
+  if not found then alarm("program-missing", "there is no file '%s' beside the script", name) end
+  if body == nil then alarm("program-missing", "the file '%s' has no program", name) end
+  local frame = calls.enter(name)
+  core.run_to_end(body)
+  path.flush()
+  calls.leave(frame)
+end
+
+-- O1000, as the report names it: programs are called by the hundred thousand, and a name is made once.
+local names = {}
+
+local function name_of(number)
+  local name = names[number] or ("O%d"):format(number)
+  names[number] = name
+  return name
+end
+
+-- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on
+-- (M99 P), or nil.
+local function call_program(number, times)
+  local body = find_program(number)
+  local frame = calls.enter(name_of(number))
+  local block
+  for pass = 1, times do
+    if pass > 1 then core.repeat_program() end
+    local ended = body()
+    if type(ended) == "table" then
+      block = ended.block
+      break
+    end
+  end
+  calls.leave(frame)
+  return block
+end
+
+-- M98{p=2, l=3}; the translator adds `true` where the caller can go on at any of its blocks.
+word("M98", function(words, can_jump)
+  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program that it calls") end
+  local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))
+  if block and not can_jump then
+    alarm("jump",
+      "M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
+      .. "file", block, block)
+  end
+  return block
+end)
+
+word("M99", function(words)
+  if words == nil or words.p == nil then return TO_START end
+  return { block = whole(words.p, "P") }
+end)
+
+local function program_end()
+  path.flush()
+  core.finish()
+end
+word("M2", program_end)
+word("M30", program_end)
+
+word("M0", function() path.event("stop") end)
+word("M1", function()
+  path.event("optional_stop", core.optional_stop and "" or "off: passed over")
+end)
+
+return { run_first = run_first, load_file = load_file, find_program = find_program, call_program = call_program }

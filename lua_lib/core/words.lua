@@ -1,0 +1,128 @@
+-- The registry of what scripts see: each word is said once, by one file; other files hook what goes before or after it.
+--   word(name, meaning)                   a word of the language
+--   env.name = value                      while the library loads: any other name for scripts
+--   words.before(names, hook, f)          f(name, ...) before the word, with its values
+--   words.after(names, hook, f)           f(name, ...) behind it
+--   words.around(names, hook, f)          f(meaning, name, ...) in its place, where it calls meaning(...)
+-- A name or a list of names; the names of hooks and their order are in core/hooks.lua. Names of user M codes ("M101") can be
+-- hooked, too, and names that the dialect does not have.
+
+local alarm, copied, printed = use("core/basics", "alarm", "copied", "printed")
+local compensation, hooks, path, word_keys = use "common/compensation", use "core/hooks", use "core/path", use "core/word_keys"
+
+local words = {}
+
+local seen = copied(env)     -- what scripts see, and
+local owner = {}             -- which file has said it
+local hooked = {}            -- hooks by the name of the word
+
+local function register(_, name, value)
+  if owner[name] then
+    error(("'%s' is said twice, in lua_lib/%s.lua and in lua_lib/%s.lua"):format(name, owner[name], core.loading()), 0)
+  end
+  seen[name], owner[name] = value, core.loading()
+end
+
+setmetatable(env, { __newindex = register })
+
+local next_id = 0
+
+function words.id()
+  next_id = next_id + 1
+  return next_id - 1
+end
+
+-- The meaning of a word at which the control waits by a rule of its own (core.stops, docs/stops.md).
+local function by_stop_rule(name, meaning)
+  local rule = core.stops[printed(name)]
+  return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
+end
+
+local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_beside_path }
+
+-- The meaning of a code behind a look whether cutter compensation allows it (column `compensation`).
+function words.if_allowed(name, meaning)
+  local refuse, shown = refusals[core.codes.compensation[name]], printed(name)
+  if refuse == nil then return meaning end
+  return function(...)
+    refuse(shown)
+    return meaning(...)
+  end
+end
+
+-- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
+function words.word(name, meaning)
+  local looked_at = by_stop_rule(name, words.if_allowed(name, meaning))
+  env[name] = core.word(words.id(), word_keys(name, looked_at))
+end
+
+-- Whether the control itself has that name.
+function words.is_known(name) return owner[name] ~= nil end
+
+local kinds = {}
+
+function kinds.before(name, meaning, f)
+  return function(...)
+    f(name, ...)
+    return meaning(...)
+  end
+end
+
+function kinds.after(name, meaning, f)
+  return function(...)
+    local result = meaning(...)
+    f(name, ...)
+    return result
+  end
+end
+
+function kinds.around(name, meaning, f)
+  return function(...) return f(meaning, name, ...) end
+end
+
+for kind in pairs(kinds) do
+  words[kind] = function(names, hook, f)
+    local new = hooks.new(hook, f, kind)
+    for _, name in ipairs(type(names) == "table" and names or { names }) do
+      if hooked[name] then hooks.insert(hooked[name], new) else hooked[name] = { new } end
+    end
+  end
+end
+
+function words.is_hooked(name) return hooked[name] ~= nil end
+
+-- The meaning of a word with all that goes before and after it.
+function words.with_hooks(name, meaning)
+  for _, hook in ipairs(hooked[name] or {}) do meaning = kinds[hook.kind](name, meaning, hook.call) end
+  return meaning
+end
+
+local function same_but_case(name)
+  for candidate in pairs(seen) do
+    if candidate:lower() == name:lower() then return candidate end
+  end
+end
+
+-- A name that nothing defines is a mistake, not a vacant value.
+local function unknown(_, name)
+  local near = type(name) == "string" and same_but_case(name)
+  error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
+end
+
+-- Codes that the dialect refuses are refused in scripts by hand, too.
+local function refuse_others()
+  for name, meaning in unordered(core.codes.unsupported) do
+    if not owner[name] then
+      words.word(name, function() alarm("code-unsupported", "%s (%s) is not supported", printed(name), meaning) end)
+    end
+  end
+end
+
+-- All files have said their words: scripts may see them.
+function words.finish()
+  refuse_others()
+  setmetatable(env, { __index = unknown })
+  for name, value in unordered(seen) do env[name] = hooked[name] and words.with_hooks(name, value) or value end
+end
+
+return words

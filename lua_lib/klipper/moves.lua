@@ -1,0 +1,57 @@
+-- G0 and G1 of Klipper, which are one.
+
+local alarm, check_table = use("core/basics", "alarm", "check_table")
+local word = use("core/words", "word")
+local path, state = use "core/path", use "klipper/state"
+
+local LETTERS = { "x", "y", "z" }
+
+local moves = {}
+
+-- The target of words in program coordinates.
+local function target_of(words)
+  local target = {}
+  for _, letter in ipairs(LETTERS) do
+    local value = words[letter]
+    if value then
+      target[letter] = value + (state.incremental and state.position(letter) or state.origin(letter))
+    end
+  end
+  if words.e then
+    local is_step = state.incremental or state.incremental_e
+    target.e = words.e * state.e_factor + (is_step and state.position "e" or state.origin "e")
+  end
+  return target
+end
+
+-- Klipper knows no place of axes whose motors were off.
+local function check_motors(target)
+  for _, letter in ipairs(LETTERS) do
+    if target[letter] and target[letter] ~= state.position(letter) then
+      alarm("home", "%s moves, and its motor was switched off: Klipper asks for homing", letter:upper())
+    end
+  end
+end
+
+-- A straight move to machine coordinates, at the speed in force.
+function moves.to(target)
+  state.check_extruder(target)
+  if state.motors_off then check_motors(target) end
+  if next(target) ~= nil then path.line(target, state.core_feed()) end
+end
+
+function moves.line(words, name)
+  check_table(words, name)
+  if words == nil then return end
+  if words.f then
+    if words.f <= 0 then alarm("feed", "F%.10g: a speed is above 0", words.f) end
+    state.feed = words.f
+  end
+  moves.to(target_of(words))
+end
+
+for _, name in ipairs { "G0", "G1" } do
+  word(name, function(words) moves.line(words, name) end)
+end
+
+return moves

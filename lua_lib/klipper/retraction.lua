@@ -1,0 +1,46 @@
+-- Firmware retraction: G10 draws the filament back, G11 pushes it again.
+
+local word = use("core/words", "word")
+local modes, moves, state = use "klipper/modes", use "klipper/moves", use "klipper/state"
+
+local OWN_STATE = "_retract_state"
+
+local settings = core.retraction   -- length_mm, speed_mm_s, extra_mm, unretract_speed_mm_s
+local is_configured = settings.length_mm > 0
+local is_retracted = false
+
+-- E alone goes a step, and what the program knows of its place stays.
+local function step(length_mm, speed_mm_s)
+  modes.save(OWN_STATE)
+  state.incremental = true
+  moves.line({ e = length_mm, f = speed_mm_s * 60 }, "G1")
+  modes.restore(OWN_STATE)
+end
+
+local function is_known(name)
+  if not is_configured then
+    core.warn(name .. ": this machine has no firmware retraction (retract_length_mm is 0): no effect")
+  end
+  return is_configured
+end
+
+word("G10", function()
+  if not is_known("G10") or is_retracted then return end
+  step(-settings.length_mm, settings.speed_mm_s)
+  is_retracted = true
+end)
+
+word("G11", function()
+  if not is_known("G11") or not is_retracted then return end
+  step(settings.length_mm + settings.extra_mm, settings.unretract_speed_mm_s)
+  is_retracted = false
+end)
+
+word("SET_RETRACTION", function(words)
+  words = words or {}
+  settings.length_mm = words.retract_length or settings.length_mm
+  settings.speed_mm_s = words.retract_speed or settings.speed_mm_s
+  settings.extra_mm = words.unretract_extra_length or settings.extra_mm
+  settings.unretract_speed_mm_s = words.unretract_speed or settings.unretract_speed_mm_s
+  is_retracted = false
+end)

@@ -1,0 +1,46 @@
+-- What Klipper keeps between its commands: modes, where its coordinates begin, and its speed.
+
+local alarm = use("core/basics", "alarm")
+
+local FIRST_MM_MIN = 25 * 60   -- klippy's speed before any F
+
+local has = {}
+for _, axis in ipairs(core.axes()) do has[axis.letter] = true end
+
+local state = {
+  incremental = false,     -- G91
+  incremental_e = false,   -- M83
+  base = {},               -- by letter: where the program's 0 is, in machine coordinates (G92)
+  offset = {},             -- SET_GCODE_OFFSET, of which base has its part
+  feed = FIRST_MM_MIN,     -- as F was given
+  speed_factor = 1,        -- M220
+  e_factor = 1,            -- M221
+  saved = {},              -- by name
+  motors_off = false,      -- M18, M84
+}
+
+-- Where the last move ends, in machine coordinates.
+function state.position(letter)
+  if has[letter] then return core.position(letter) end
+  return 0
+end
+
+-- Takes E out of a target where the machine has no extruder, which can stand and cannot move.
+function state.check_extruder(target)
+  if target.e == nil or has.e then return end
+  if target.e ~= 0 then alarm("axis", "E moves, and this machine has no extruder: no axis E") end
+  target.e = nil
+end
+
+function state.origin(letter) return state.base[letter] or 0 end
+
+-- The speed in force, as the core takes it.
+local told, feed_told
+
+function state.core_feed()
+  local mm_min = state.feed * state.speed_factor
+  if told ~= mm_min then told, feed_told = mm_min, core.feed_mm_min(mm_min) end
+  return feed_told
+end
+
+return state

@@ -1,0 +1,237 @@
+-- Cutter compensation as LinuxCNC does it (G40 to G42.1 of rs274ngc): a straight or circular entry move that ends
+-- beside its programmed end; outside corners by an arc about the corner; inside corners by cutting back the move
+-- before. For that one move in the plane waits in a queue, with what came after it, until the next one is known.
+
+local alarm = use("core/basics", "alarm")
+local axes, comp_filter, g, plane_view = use "core/axes", use "common/comp_filter", use "common/comp_geometry", use "core/plane_view"
+
+local SMALL_CORNER_RAD = 0.05     -- up to here a corner counts as none
+local MOST_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
+local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
+-- An arc that comes out longer than programmed by more than that has been cut back past its other end.
+local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
+
+local TURN = 2 * math.pi
+
+local ngc = comp_filter.derive()
+
+-- Where the zero point of a lathe tool lies, by its orientation: shares of the radius on the plane's two axes.
+local orientation_shift = {
+  { 1, -1 }, { -1, -1 }, { -1, 1 }, { 1, 1 }, { 1, 0 }, { 0, -1 }, { -1, 0 }, { 0, 1 },
+}
+
+local function make(side, radius, orientation)
+  local filter = comp_filter.make(ngc, {
+    side = side, radius = radius, plane = core.plane(),
+    queue = {},              -- the move in the plane that waits, and what came after it
+    last = nil,              -- the last move in the plane
+    start = nil,             -- where the waiting move starts, if that has to be watched
+  })
+  local shift = orientation_shift[orientation]
+  if shift then
+    local p = plane_view.planes[filter.plane]
+    local first, second = filter.view:at(axes.direction(p.first)), filter.view:at(axes.direction(p.second))
+    filter.origin = {
+      (shift[1] * first[1] + shift[2] * second[1]) * radius, (shift[1] * first[2] + shift[2] * second[2]) * radius,
+    }
+  end
+  filter.tool = filter:point(filter.programmed)   -- where the middle of the tool ends after all that is known
+  return filter
+end
+
+-- --- The queue ---
+
+local NO_WAY = "%s ends in an inside corner that the tool cannot reach without gouging"
+
+local function off_circle(item, point)
+  local other = g.distance(item.point, item.centre)
+  return math.abs(g.distance(point, item.centre) - other) > RADII_TOLERANCE * core.unit_mm()
+end
+
+function ngc:cut_back(item, point)
+  local segment = item.segment
+  if not segment then return end
+  if segment.centre then
+    if off_circle(item, point) then self:say(item, NO_WAY) end
+    if self.start then
+      local sweep = g.swept_after(self.start, point, item.centre, segment.turn, segment.sweep)
+      local tolerance = core.unit_mm() == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
+      if sweep > segment.sweep + tolerance then self:say(item, NO_WAY) end
+    end
+  elseif self.start and item.watched and g.dot(segment.heading[1], g.minus(point, self.start)) < 0 then
+    self:say(item, NO_WAY)
+  end
+end
+
+function ngc:put(item)
+  local segment = item.segment
+  if item.kind == "act" then
+    self.next:act(item.f)
+  elseif not segment then
+    self:put_straight(item, item.point or self.at)
+  elseif segment.centre then
+    -- After a corner that counted as none, or a stop in an inside corner, the tool may stand off the arc.
+    if math.abs(g.distance(self.at, item.centre) - g.distance(item.point, item.centre)) > MOST_SPIRAL_MM then
+      self:put_straight(item, g.beside_start(segment, self.side, self.radius), item.source)
+    end
+    local sweep = g.swept_after(self.at, item.point, item.centre, segment.turn, segment.sweep)
+    self:put_arc(item, item.point, item.centre, segment.turn, sweep)
+  else
+    self:put_straight(item, item.point)
+  end
+end
+
+function ngc:empty_queue()
+  for _, item in ipairs(self.queue) do self:put(item) end
+  self.queue = {}
+  self.start = nil
+end
+
+-- Ends the waiting move at that point, and puts out the queue.
+function ngc:end_at(point)
+  if #self.queue == 0 then return end
+  for _, item in ipairs(self.queue) do
+    self:cut_back(item, point)
+    item.point = point
+  end
+  self:empty_queue()
+  self.start = point
+end
+
+-- --- The first move ---
+
+function ngc:enter_straight(item)
+  local way = g.distance(self.tool, item.segment and item.segment.to or self.tool)
+  if way <= self.radius then
+    self:say(item, "%s is the entry move, and its length of %.10g mm in the plane is not greater than the radius", way)
+  end
+  item.point = g.beside_end(item.segment, self.side, self.radius)
+  self.start = self.tool
+end
+
+-- The entry arc leads from where the tool stands to beside the programmed end; its tangent there stays, so the
+-- centre lies as far from the one as from the other on the line through the programmed centre.
+function ngc:enter_circular(item)
+  local segment = item.segment
+  if g.distance(self.at, self.tool) > MOST_SPIRAL_MM then
+    alarm("compensation",
+      "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+  end
+  local way = g.distance(self.tool, segment.to)
+  if way <= self.radius then
+    self:say(item, "%s is the entry arc, and its end is only %.10g mm from its start, not more than the radius", way)
+  end
+  self:check_fits(item, self.side, self.radius)
+  item.point = g.beside_end(segment, self.side, self.radius)
+  local axis = g.unit(g.minus(segment.centre, item.point))
+  local chord = g.minus(self.tool, item.point)
+  local along = g.dot(axis, chord)
+  if math.abs(along) < 0.0001 * g.length(chord) then
+    self:say(item, "%s is the entry arc, and the tool does not fit into it")
+  end
+  item.centre = g.plus(item.point, axis, g.dot(chord, chord) / (2 * along))
+  item.segment = g.arc(self.tool, segment.to, item.centre, segment.turn > 0, segment.sweep)
+  item.segment.heading[2] = segment.heading[2]
+  item.segment.radius = g.distance(item.centre, item.point) + segment.turn * self.side * self.radius
+  local turns = math.ceil(segment.sweep / TURN - 1e-9) - 1
+  item.segment.sweep = g.swept(self.tool, item.point, item.centre, segment.turn) + turns * TURN
+  -- The zero point of a lathe tool steps aside first, else the arc is none.
+  if self.origin ~= comp_filter.origin then
+    self:put_straight({ kind = "line", feed = item.feed, place = item.place }, self.tool, item.source)
+  end
+end
+
+-- --- Corners ---
+
+-- How far the path turns away from the side of the tool: -90 to 270 degrees.
+local function outward(from, to, side)
+  local angle = -side * g.angle(from, to)
+  return angle < -math.pi / 2 and angle + 2 * math.pi or angle
+end
+
+-- At a corner of half a turn the tool may go around its tip, or stay out of it where an arc leads in or out that the
+-- tool runs on the outside of.
+local function is_inside(beta, before, after, side)
+  if beta < -SMALL_CORNER_RAD or beta > math.pi + SMALL_CORNER_RAD then return true end
+  if beta <= math.pi - SMALL_CORNER_RAD then return false end
+  if after.centre then return not g.tool_inside(after, side) end
+  return before ~= nil and before.centre ~= nil and not g.tool_inside(before, side)
+end
+
+-- The move before as LinuxCNC sees it. Where a move outside the plane alone waits, behind a stop, an arc counts as the
+-- line in which it ended.
+function ngc:segment_before()
+  local segment, waiting = self.last.segment, self.queue[1]
+  if waiting == nil or waiting.segment then return segment end
+  return g.line(g.plus(segment.to, segment.heading[2], -self.radius), segment.to)
+end
+
+function ngc:inside_corner(item)
+  local point = g.meet(self:segment_before(), item.segment, self.side, self.radius)
+  if not point then
+    self:say(item, "before %s lies an inside corner that the tool does not fit into without gouging")
+  end
+  self:end_at(point)
+end
+
+-- The move around an outside corner has the new move's feed and takes the axes outside the plane's space along.
+function ngc:around_corner(item)
+  local beside = g.beside_start(item.segment, self.side, self.radius)
+  local target = self:complete(item.target)
+  for _, letter in ipairs { "x", "y", "z" } do target[letter] = item.source[letter] end
+  if item.kind == "rapid" then
+    self:put_straight(item, beside, target)
+  else
+    local corner, turn = item.segment.from, -self.side
+    self:put_arc(item, beside, corner, turn, g.swept(self.at, beside, corner, turn), target)
+  end
+  self.start = beside
+end
+
+function ngc:corner(item)
+  local before = self.last.segment
+  local waiting = self.queue[1] and self.queue[1].segment   -- none after a stop
+  local beta = outward(before.heading[2], item.segment.heading[1], self.side)
+  if is_inside(beta, waiting, item.segment, self.side) then
+    self:inside_corner(item)
+    return
+  end
+  if beta > SMALL_CORNER_RAD then
+    if item.kind == "arc" then self:empty_queue() else self:end_at(self.tool) end
+    self:around_corner(item)
+  else
+    self:empty_queue()
+    self.start = self.tool
+  end
+end
+
+-- --- The methods of a filter ---
+
+function ngc:take(item)
+  if item.segment or not self.last then
+    if not self.last then
+      if item.kind == "arc" then self:enter_circular(item) else self:enter_straight(item) end
+    else
+      self:check_fits(item, self.side, self.radius)
+      self:corner(item)
+      item.point = g.beside_end(item.segment, self.side, self.radius)
+      item.centre = item.segment.centre
+      item.watched = true
+    end
+    self.last = item
+    self.tool = item.point
+  end
+  self.queue[#self.queue + 1] = item
+end
+
+function ngc:act(f)
+  local item = { kind = "act", f = f }
+  if #self.queue == 0 then self:put(item) else self.queue[#self.queue + 1] = item end
+end
+
+function ngc:flush()
+  self:end_at(self.tool)
+  self.start = nil
+end
+
+return make

@@ -1,0 +1,57 @@
+-- RS274/NGC: G28 and G30 go to a stored point by a point on the way, G28.1 and G30.1 store where the machine stands.
+
+local word = use("core/words", "word")
+local axes, parameters, path, polar = use "core/axes", use "rs274ngc/variables", use "core/path", use "common/polar"
+
+-- The stored point in machine coordinates, as its parameters have it (inches and degrees).
+local function stored(first)
+  local point = {}
+  for i, letter in ipairs(parameters.letters) do
+    if axes.is_rotary[letter] ~= nil then point[letter] = parameters.from_stored(letter, env.v[first + i - 1]) end
+  end
+  return point
+end
+
+local function store(first, point)
+  for i, letter in ipairs(parameters.letters) do
+    parameters.set(first + i - 1, parameters.to_stored(letter, point[letter] or 0))
+  end
+end
+
+-- Only the named axes go on to the stored point, in the directions of the program; all where none is named.
+local function go(words, first)
+  local way, any = axes.programmed_point(), false
+  if words ~= nil then way, any = core.target(polar.resolve(words)) end
+  path.rapid(way)
+  local home = stored(first)
+  for letter, value in pairs(home) do home[letter] = core.turned(letter, value) end
+  if any then
+    local program, home_program = core.to_program(way), core.to_program(home)
+    for letter in pairs(polar.resolve(words)) do program[letter] = home_program[letter] end
+    home = core.to_machine(program)
+  end
+  path.rapid(home)
+end
+
+local homes = {}
+for _, axis in ipairs(axes.list) do homes[axis.letter] = axis.home end
+
+-- At the start the point is home position `number_of_home` of the machine, where it has one, else the first; unless one has
+-- been kept from the run before.
+local function define(name, first, number_of_home)
+  local further = core.homes[number_of_home] or {}
+  for i, letter in ipairs(parameters.letters) do
+    local number, home = first + i - 1, further[letter] or homes[letter]
+    if home and not core.variables[number] then parameters.set(number, parameters.to_stored(letter, home)) end
+  end
+  word(name, function(words)
+    axes.refuse_with_tip_control(name)
+    go(words, first)
+  end)
+  word(name .. "_1", function()
+    axes.refuse_with_tip_control(name .. ".1")
+    store(first, axes.shown(axes.programmed_point()))
+  end)
+end
+define("G28", 5161, 1)
+define("G30", 5181, 2)

@@ -1,0 +1,96 @@
+-- RS274/NGC: comments that do something. Each becomes an event of the run; no file is written.
+--   DEBUG("x is %f, y is %.2f", v[1], parameter("y"))   %f, %.nf and %d take a value, %% is a percent sign
+
+local alarm = use("core/basics", "alarm")
+local word = use("core/words", "word")
+local path = use "core/path"
+
+local DIGIT_0, DIGIT_9 = ("09"):byte(1, 2)
+local UNKNOWN = "######"   -- for a parameter without a value
+local SHOWN_AS_ZERO = 1e-4 -- what is smaller, as LinuxCNC prints it
+
+local plain = { ["%f"] = "%f", ["%d"] = "%.0f", ["%%"] = "%%" }
+
+-- The format that begins at `at`, and the place behind it; nil where there is none.
+local function format_at(text, at)
+  local two = text:sub(at, at + 1)
+  if plain[two] then return plain[two], at + 2 end
+  if two ~= "%." then return nil end
+  local digit = text:byte(at + 2)
+  if digit == nil or digit < DIGIT_0 or digit > DIGIT_9 or text:sub(at + 3, at + 3) ~= "f" then return nil end
+  return text:sub(at, at + 3), at + 4
+end
+
+local function shown(format, value)
+  if value == nil then return UNKNOWN end
+  local number = env.number(value)
+  local text = format:format(math.abs(number) < SHOWN_AS_ZERO and 0 or number)
+  if tonumber(text) == 0 and text:sub(1, 1) == "-" then return text:sub(2) end
+  return text
+end
+
+local function filled(text, ...)
+  local parts, used, at = {}, 0, 1
+  while at <= #text do
+    local format, behind = format_at(text, at)
+    if format == "%%" then
+      parts[#parts + 1] = "%"
+    elseif format then
+      used = used + 1
+      parts[#parts + 1] = shown(format, (select(used, ...)))
+    else
+      parts[#parts + 1] = text:sub(at, at)
+    end
+    at = behind or at + 1
+  end
+  return table.concat(parts)
+end
+
+local function check_text(text, name)
+  if type(text) ~= "string" then alarm("script", "%s takes a text", name) end
+  return text
+end
+
+-- (abort, text): the program ends in an alarm that says so. The values of its parameters are in the text.
+word("ABORT", function(text, ...)
+  local said = filled(check_text(text, "ABORT"), ...)
+  while said:sub(1, 1) == " " do said = said:sub(2) end
+  alarm("program-alarm", "%s", said ~= "" and said or "(abort,) without a text")
+end)
+
+-- Comments that run Python inside of LinuxCNC's interpreter, which may do anything.
+for name, shown in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
+  word(name, function()
+    alarm("code-unsupported",
+      "%s runs Python of the control, which is not supported: take it out, or write in Lua what it does", shown)
+  end)
+end
+
+word("PYRELOAD", function()
+  core.warn("(pyreload) does nothing: there is no Python here")
+end)
+
+local function message(name, kind, is_shown)
+  word(name, function(text, ...)
+    check_text(text, name)
+    if is_shown == nil or is_shown() then path.event(kind, filled(text, ...)) end
+  end)
+end
+
+message("DEBUG", "debug", function() return env.v[5599] ~= 0 end)
+message("PRINT", "print")
+message("LOG", "log")
+
+word("MSG", function(text) path.event("message", check_text(text, "MSG")) end)
+
+-- Files for what is logged: the events of the report stand in for them.
+local function file_word(name, kind)
+  word(name, function(file)
+    path.event(kind, ("%s (no file is written; the report has what is logged)"):format(check_text(file, name)))
+  end)
+end
+file_word("LOGOPEN", "log_open")
+file_word("LOGAPPEND", "log_append")
+file_word("PROBEOPEN", "probe_open")
+word("LOGCLOSE", function() path.event("log_close") end)
+word("PROBECLOSE", function() path.event("probe_close") end)

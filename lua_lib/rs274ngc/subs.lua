@@ -1,0 +1,61 @@
+-- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one when the file is loaded,
+-- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
+
+local alarm = use("core/basics", "alarm")
+local calls, parameters, programs, state = use "core/calls", use "rs274ngc/variables", use "core/programs", use "core/state"
+
+local MAX_ARGUMENTS = 30
+
+local subs = {}   -- { body, place } by number or name
+
+local function key_of(name)
+  if type(name) == "string" then return name:lower() end
+  return parameters.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
+end
+
+local function shown(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
+
+function env.sub(name, body)
+  local key = key_of(name)
+  core.note_place()
+  local place = core.place()
+  if subs[key] and subs[key].place ~= place then
+    alarm("program-twice", "%s sub stands twice; the first one is in line %d", shown(key), subs[key].place & 0xffffffff)
+  end
+  subs[key] = { body = body, place = place }
+end
+
+local function find(key)
+  if subs[key] == nil then programs.load_file(key) end
+  return subs[key] or alarm("program-missing",
+    "%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
+end
+
+function env.call(name, ...)
+  local key = key_of(name)
+  if select("#", ...) > MAX_ARGUMENTS then
+    alarm("word-value", "%s call has %d arguments; a subroutine takes up to %d", shown(key), select("#", ...),
+      MAX_ARGUMENTS)
+  end
+  local found = find(key)
+  core.note_place()
+  local frame = calls.enter(shown(key), { ... })
+  state.call_value = nil
+  local value = found.body()
+  calls.leave(frame)
+  state.call_value = type(value) == "number" and value or nil
+end
+
+-- The value with which a subroutine ends: `do return result(5) end`.
+function env.result(value) return env.number(value) end
+
+-- Passes of o-repeat: the nearest whole number, of two the even one; below 0 there are none.
+function env.times(count)
+  if type(count) ~= "number" or count ~= count or math.abs(count) > 2^53 then
+    alarm("word-value", "the number of repeats is a number, not %s", tostring(count))
+  end
+  local below = math.floor(count)
+  local part = count - below
+  if part > 0.5 or (part == 0.5 and below % 2 == 1) then below = below + 1 end
+  return math.max(0, math.tointeger(below))
+end

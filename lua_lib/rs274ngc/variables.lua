@@ -1,0 +1,193 @@
+-- RS274/NGC: numbered parameters #1 to #5601 as v[1].., and the functions of expressions where they differ from
+-- variables.lua. An unset parameter is 0. #1 to #30 are local to a subroutine (rs274ngc/subs.lua).
+
+local alarm, copied = use("core/basics", "alarm", "copied")
+local axes, hooks = use "core/axes", use "core/hooks"
+
+
+local LAST = 5601
+local INDEX_TOLERANCE = 1e-4   -- of a number that stands for a whole one
+local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
+
+local STORED_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
+
+local parameters = {
+  letters = { "x", "y", "z", "a", "b", "c", "u", "v", "w" },   -- axes in the order of their parameters
+}
+
+local rotary = { a = true, b = true, c = true }
+
+-- Whether a letter stands for an angle, also where the machine has no such axis.
+function parameters.is_angle(letter)
+  local known = axes.is_rotary[letter]
+  if known == nil then return rotary[letter] or false end
+  return known
+end
+
+function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_MM end
+function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_MM end
+
+-- The whole number that a value means, or nil.
+function parameters.whole(value)
+  if type(value) ~= "number" or value ~= value then return nil end
+  local whole = math.tointeger(math.floor(value + 0.5))
+  if whole == nil or math.abs(value - whole) > INDEX_TOLERANCE then return nil end
+  return whole
+end
+
+local function whole_number(number)
+  return parameters.whole(number) or alarm("word-value", "the number of a parameter is whole, not %s", tostring(number))
+end
+
+function parameters.has_number(number)
+  local whole = whole_number(number)
+  return whole >= 1 and whole <= LAST
+end
+
+local function index(number)
+  local whole = whole_number(number)
+  if whole < 1 or whole > LAST then
+    alarm("variable", "there is no parameter #%d; there are #1 to #%d", whole, LAST)
+  end
+  return whole
+end
+
+-- Parameters that the control works out when they are read; nothing can be put into them.
+local computed = {}
+
+function parameters.compute(number, value) computed[number] = value end
+
+local values = {}
+parameters.values = setmetatable(values, {
+  __index = function(held, number)
+    local whole = index(number)
+    if computed[whole] then return computed[whole]() + 0.0 end
+    return rawget(held, whole) or 0.0
+  end,
+  __newindex = function(held, number, value)
+    local whole = index(number)
+    if computed[whole] then alarm("variable", "#%d is read-only: the control itself sets it", whole) end
+    rawset(held, whole, value)
+  end,
+})
+env.v = values
+
+-- Values from the machine data or the file of permanent variables.
+for number, value in pairs(core.variables) do
+  if number > 30 and number <= LAST then values[number] = value + 0.0 end
+end
+
+-- What LinuxCNC keeps from one run to the next: what was there at the start, home points and offsets.
+local FIRST_KEPT, LAST_KEPT = 5161, 5390
+function parameters.permanent()
+  local kept = {}
+  for number in pairs(core.variables) do kept[number] = rawget(values, number) end
+  for number = FIRST_KEPT, LAST_KEPT do
+    local value = rawget(values, number)
+    if value and value ~= 0 then kept[number] = value end
+  end
+  return kept
+end
+
+-- Parameters as they were when the run began.
+local at_start = {}
+hooks.on("begin", "numbered parameters", function()
+  for number, value in pairs(values) do at_start[number] = value end
+end)
+function parameters.has_changed(number) return rawget(values, number) ~= at_start[number] end
+
+-- The variables of the machine data as they are now, and what the run has changed of those that are kept. Origins of
+-- the systems are not among them: they are offsets.
+function parameters.stored(is_origin)
+  local stored = copied(core.variables)
+  for number in pairs(stored) do
+    if number > 30 and number <= LAST then stored[number] = rawget(values, number) end
+  end
+  for number = FIRST_KEPT, LAST_KEPT do
+    if parameters.has_changed(number) and not is_origin(number) then stored[number] = rawget(values, number) end
+  end
+  return stored
+end
+
+-- For the control itself, past the checks.
+function parameters.set(number, value) rawset(values, number, value + 0.0) end
+
+-- #1 to #30 always have values, so that reading and writing them here is plain and fast.
+local LAST_LOCAL = 30
+for i = 1, LAST_LOCAL do values[i] = 0.0 end
+
+-- They get new values, 0 where there is none; the old ones are the result.
+local function swap_locals(new)
+  local old = {}
+  for i = 1, LAST_LOCAL do
+    old[i], values[i] = values[i], new[i] or 0.0
+  end
+  return old
+end
+
+-- A call with arguments has them as its own; without them those of the caller stay in force, as for M98.
+hooks.on("call", "numbered parameters", function(frame, arguments)
+  frame.numbered = arguments and swap_locals(arguments)
+end)
+hooks.on("return", "numbered parameters", function(frame)
+  if frame.numbered then swap_locals(frame.numbered) end
+end)
+
+values[5599] = 1.0   -- debug messages are shown
+
+-- Expressions. A comparison may stand where a number is wanted.
+local function number_of(value)
+  if value == true then return 1 end
+  if not value then return 0 end
+  if type(value) ~= "number" then alarm("script", "an expression has a value that is no number") end
+  return value
+end
+
+local function finite(value, what)
+  if value ~= value or value == math.huge or value == -math.huge then
+    alarm("arithmetic", "%s has no finite value", what)
+  end
+  return value + 0.0
+end
+
+function env.truth(value) return number_of(value) ~= 0 end
+function env.number(condition) return number_of(condition) + 0.0 end
+
+function env.equal(a, b) return math.abs(number_of(a) - number_of(b)) <= EQUAL_TOLERANCE end
+
+local function logical(value) return value and 1.0 or 0.0 end
+function env.AND(a, b) return logical(number_of(a) ~= 0 and number_of(b) ~= 0) end
+function env.OR(a, b) return logical(number_of(a) ~= 0 or number_of(b) ~= 0) end
+function env.XOR(a, b) return logical((number_of(a) ~= 0) ~= (number_of(b) ~= 0)) end
+
+-- From 0 up to below the size of b, whatever the signs.
+function env.MOD(a, b)
+  a, b = number_of(a), math.abs(number_of(b))
+  if b == 0 then alarm("arithmetic", "MOD by zero") end
+  return finite(a % b, "MOD")
+end
+
+function env.POW(a, b)
+  a, b = number_of(a), number_of(b)
+  if a < 0 and b % 1 ~= 0 then alarm("arithmetic", "%.10g ** %.10g: a negative number has whole powers only", a, b) end
+  return finite(a ^ b, ("%.10g ** %.10g"):format(a, b))
+end
+
+function env.EXP(a) return finite(math.exp(number_of(a)), "EXP") end
+
+-- The angle of the point (b, a), from -180 to 180.
+function env.ATAN(a, b)
+  if b == nil then alarm("arithmetic", "ATAN takes two sides: ATAN[1]/[2]") end
+  return core.atan_deg(number_of(a), number_of(b))
+end
+
+function env.FIX(a) return math.floor(number_of(a)) + 0.0 end
+function env.FUP(a) return math.ceil(number_of(a)) + 0.0 end
+
+-- Both are of other dialects.
+local function unknown(name)
+  return function() alarm("syntax", "%s is no function of RS274/NGC", name) end
+end
+env.BIN, env.BCD = unknown("BIN"), unknown("BCD")
+
+return parameters

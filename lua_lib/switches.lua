@@ -1,7 +1,0 @@
--- What the machine switches besides its spindle, whatever the dialect. A switch happens at rest.
-
-local word = use("words", "word")
-local path = use "path"
-
-word("M10", function() path.event("abrasive_on") end)
-word("M11", function() path.event("abrasive_off") end)
