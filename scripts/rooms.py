@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Holds each #include against the table of rooms in docs/architecture.md: what a room includes stands in its row, and what stands there is
-included somewhere. Rooms are in the order in which the table has them, from the ground up: a room uses none below its own row.
+included somewhere. Rooms are in the order in which the table has them, from the ground up: a room uses none below its own row. Top-level folders do not
+include each other, and no folder of sources has more than 50 files.
 Usage: rooms.py             checks the table
        rooms.py --print     the rows as the sources have them
        rooms.py --folders   the top-level folders of the table, as a regular expression: 'base|lexer|...'"""
@@ -13,6 +14,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent.parent
 PAGE = "docs/architecture.md"
 HEADING = "## Rooms"
+LARGEST_FOLDER = 50
 FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every room
 EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 
@@ -91,6 +93,27 @@ def faults(table, used, homeless):
                 yield f"{PAGE}: {room}/ may use {use}, and nothing there does"
 
 
+def top_level_circles(used):
+    """Pairs of top-level folders that include each other, with a file of each direction."""
+    uses_of = defaultdict(dict)
+    for room, included in used.items():
+        for use, place in included.items():
+            if use in used and use.split("/")[0] != room.split("/")[0]:
+                uses_of[room.split("/")[0]].setdefault(use.split("/")[0], place)
+    for folder, others in sorted(uses_of.items()):
+        for other in sorted(others):
+            if folder < other and folder in uses_of.get(other, {}):
+                yield f"{others[other]}: {folder}/ and {other}/ include each other ({uses_of[other][folder]})"
+
+
+def large_folders(root):
+    """Folders with more files than a reader can survey; data of tests and samples aside."""
+    for folder in sorted({file.parent for file in sources(root)} | {file.parent for file in (root / "lua_lib").rglob("*.lua")}):
+        count = sum(1 for file in folder.iterdir() if file.is_file())
+        if count > LARGEST_FOLDER:
+            yield f"{folder.relative_to(root).as_posix()}/ has {count} files; {LARGEST_FOLDER} are permitted, so divide it"
+
+
 def top_level_folders(table):
     return list(dict.fromkeys(room.split("/")[0] for room in table))
 
@@ -106,7 +129,7 @@ def main():
             ours = [f"`{use}/`" for use in table if use in used[room]]
             others = sorted((use for use in used[room] if use not in table), key=str.lower)
             print(f"{room}: {', '.join(ours + others)}")
-    found = list(faults(table, used, homeless))
+    found = [*faults(table, used, homeless), *top_level_circles(used), *large_folders(HERE)]
     print("\n".join(found) if found else f"{len(table)} rooms use what the table says")
     return 1 if found else 0
 

@@ -61,6 +61,20 @@ class Rooms(unittest.TestCase):
         self.assertIn("low/a.h:1: low/ uses high/, which stands below it in the table",
                       list(rooms.faults(table, {**{room: {} for room in table}, "low": {"high": "low/a.h:1"}}, [])))
 
+    def test_top_level_folders_that_include_each_other_are_one(self):
+        used = {"low": {"high/deep": "low/a.h:1"}, "low/deep": {}, "high": {"low": "high/a.cpp:3"}, "high/deep": {}}
+        self.assertEqual(["high/a.cpp:3: high/ and low/ include each other (low/a.h:1)"], list(rooms.top_level_circles(used)))
+        self.assertEqual([], list(rooms.top_level_circles({**used, "low": {"low/deep": "low/a.h:1"}})))
+
+    def test_a_folder_with_51_files_is_large(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("low", "high"):
+                (root / name).mkdir()
+                for number in range(51 if name == "low" else 50):
+                    (root / name / f"{number}.cpp").write_text("", encoding="utf-8")
+            self.assertEqual(["low/ has 51 files; 50 are permitted, so divide it"], list(rooms.large_folders(root)))
+
     def test_each_folder_of_sources_is_a_room(self):
         self.assertEqual(["shed/a.cpp: its folder has no row in the table of rooms"], faults({"shed/a.cpp": "int i;\n"}))
 
