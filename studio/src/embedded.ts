@@ -1,6 +1,6 @@
 // What stands in the page's own file: the engine, the samples, or a finished run; each packed with gzip, as base64.
 
-import type { FileContent } from "./core/documents";
+import type { FileContent } from "./core/file_content";
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   const text = atob(base64);

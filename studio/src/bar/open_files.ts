@@ -1,6 +1,6 @@
 // Files that a person drops on the page or chooses: they become documents, and the setup takes those that it can use.
 
-import type { FileContent } from "../core/documents";
+import type { FileContent } from "../core/file_content";
 import { askForFiles } from "../core/files";
 import { baseName, dialectOfName, kindOfFile, type FileKind } from "../core/kinds";
 import type { Session } from "../core/session";

@@ -2,9 +2,8 @@
 
 import { readText, writeText, type Writing } from "./encoding";
 import type { Files } from "./engine";
+import type { FileContent } from "./file_content";
 import { isLikeProgram, kindOfFile, type FileKind } from "./kinds";
-
-export type FileContent = string | Uint8Array;
 
 /** What a program is called that was typed into an empty page. */
 export const UNTITLED = "untitled.nc";

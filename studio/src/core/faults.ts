@@ -1,7 +1,7 @@
 // What is wrong with files that are no programs, by what the engine answers.
 
 import type { Told } from "../run/run";
-import type { Answered } from "./session";
+import type { Answered } from "./answered";
 
 /** "my.toml:12:1: unknown key 'max'" */
 const PLACED = /^(.+?):(\d+):(\d+): ([\s\S]*)$/;

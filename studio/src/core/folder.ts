@@ -1,6 +1,7 @@
 // The folder that gsim-studio serves: its files as documents, how they are saved, and what other programs do to them meanwhile.
 
-import { SHOWN_BYTES, type FileContent } from "./documents";
+import { SHOWN_BYTES } from "./documents";
+import type { FileContent } from "./file_content";
 import { readText } from "./encoding";
 import { texts } from "../texts";
 import { Refused, type FolderChange, type Listed, type Server } from "./server";

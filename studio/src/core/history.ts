@@ -1,14 +1,20 @@
 // What a person has changed, by whatever part of the page: texts of documents and choices of the setup, to be taken back and
 // done again.
 
-import type { Documents, FileContent } from "./documents";
-import type { Session } from "./session";
+import type { Documents } from "./documents";
+import type { FileContent } from "./file_content";
 import type { Setup } from "./setup";
 
 /** Documents with their contents (null: there is none of a person's own), and choices of the setup. */
 export interface Change {
   documents?: Record<string, FileContent | null>;
   setup?: Partial<Setup>;
+}
+
+/** What the history needs of the session. */
+interface HasSetup {
+  readonly setup: Readonly<Setup>;
+  change(setup: Partial<Setup>): void;
 }
 
 /** What was changed, and what was there: on the other side of the change. */
@@ -44,7 +50,7 @@ export class History {
 
   constructor(
     private readonly documents: Documents,
-    private readonly session: Pick<Session, "setup" | "change">,
+    private readonly session: HasSetup,
     private readonly mostCharacters = MOST_CHARACTERS,
   ) {}
 

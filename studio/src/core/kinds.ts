@@ -1,6 +1,6 @@
 // What a file is, by its name and what stands in it.
 
-import type { Documents, FileContent } from "./documents";
+import type { FileContent } from "./file_content";
 
 export type FileKind = "program" | "machine" | "cell" | "robots" | "machine_data" | "path" | "drawing" | "variants" | "other";
 
@@ -50,8 +50,14 @@ export const isProgram = (name: string, content: FileContent): boolean => kindOf
 /** The language of a program by its name, where nothing else says it. */
 export const dialectOfName = (name: string): string => (endingOf(name) === "ngc" ? "rs274ngc" : "");
 
+/** Files by name (Documents). */
+interface NamedFiles {
+  names(): string[];
+  kindOf(name: string): FileKind;
+}
+
 /** Documents of a kind, a person's own first. */
-export const namesOfKind = (kind: FileKind, documents: Documents): string[] =>
+export const namesOfKind = (kind: FileKind, documents: NamedFiles): string[] =>
   documents.names().filter((name) => documents.kindOf(name) === kind);
 
 /** As a list shows a name: without the folders that all samples are in. */

@@ -1,7 +1,8 @@
 // What a run was made of: its set-up, and the documents as they were when it began.
 
 import type { Run } from "../run/run";
-import type { Documents, FileContent } from "./documents";
+import type { Documents } from "./documents";
+import type { FileContent } from "./file_content";
 import { isOfRun } from "./of_run";
 import type { Setup } from "./setup";
 

@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import type { Documents } from "./documents";
 import { faultsOf } from "./faults";
 import { isFile, referenceTo } from "./references";
-import type { Answered } from "./session";
+import type { Answered } from "./answered";
 import type { Setup } from "./setup";
 
 /** The sample that is compiled in, and taken where no machine is named. */

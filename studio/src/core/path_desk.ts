@@ -2,18 +2,9 @@
 
 import { isPathFile, readPathFile, targetAt, type PathFile, type Place } from "../run/path/path_file";
 import { walkPath, type Walk } from "../run/path/path_walk";
+import type { PathShown } from "./path_shown";
 import type { Session } from "./session";
 import type { Store } from "./store";
-
-/** A path file as it is shown; without paths where its text is none. */
-export interface PathShown {
-  name: string;
-  text: string;
-  file: PathFile;
-  walk: Walk;
-  /** Why the text is no path file; empty: it is one. */
-  fault: string;
-}
 
 const NO_WALK: Walk = { motions: [], before: new Map(), used: new Set(), faults: [] };
 

@@ -1,7 +1,9 @@
 // What is run, and with what: asks the engine and puts what comes of it into the store.
 
 import { Run, type Told } from "../run/run";
-import type { Documents, FileContent } from "./documents";
+import type { Answered } from "./answered";
+import type { Documents } from "./documents";
+import type { FileContent } from "./file_content";
 import type { Answer, Engine, Files, Keeper } from "./engine";
 import { faultsOf } from "./faults";
 import { isScript, kindOfFile, type FileKind } from "./kinds";
@@ -35,11 +37,6 @@ function refused(run: Run, message: string, code = "refused"): Run {
 
 /** Behind a change by a form the program runs anew, when no further one comes within this time. */
 const RUN_PAUSE_MS = 400;
-
-/** An answer with all that was told in it. */
-export interface Answered extends Answer {
-  messages: Message[];
-}
 
 export class Session {
   /** What forms have changed. */

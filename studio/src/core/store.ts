@@ -3,7 +3,7 @@
 import type { Place as PathPlace } from "../run/path/path_file";
 import type { Place } from "../run/report";
 import type { Run } from "../run/run";
-import type { PathShown } from "./path_desk";
+import type { PathShown } from "./path_shown";
 
 export type ColourMode = "kind" | "feed" | "speed" | "process" | "time" | "limit" | "deviation";
 export type Units = "mm" | "inch";

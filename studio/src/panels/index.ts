@@ -6,19 +6,13 @@ import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 import { createData } from "./data";
+import type { Form } from "./form";
 import { createMachineForm } from "./machine";
 import { createPaths } from "./paths";
 import { createResults } from "./results";
 import { createTeach } from "./teach";
 import { createVariants } from "./variants";
 import { createTabs } from "./tab_bar";
-
-/** A form; `shown` is called each time that it comes to be looked at, `hidden` when it no longer is. */
-export interface Form {
-  element: HTMLElement;
-  shown?(): void;
-  hidden?(): void;
-}
 
 export function createSide(host: HTMLElement, store: Store, session: Session): void {
   const results = element("div", {});

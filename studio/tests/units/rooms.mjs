@@ -33,12 +33,29 @@ const offences = files.flatMap((file) =>
   [...importsOf(file)].filter((used) => !mayKnow(roomOf(file)).includes(roomOf(used))).map((used) => `${file} imports ${used}`),
 );
 
+/** The file below src/ that an import means. */
+const fileOf = (used) => [`${used}.ts`, `${used}/index.ts`, used].find((each) => files.includes(each));
+
+/** Files that import each other, directly or not, as lists in the order of their imports. */
+function circlesOf(importing) {
+  const done = new Set();
+  const circles = [];
+  const visit = (file, path) => {
+    if (path.includes(file)) circles.push([...path.slice(path.indexOf(file)), file]);
+    if (path.includes(file) || done.has(file)) return;
+    for (const used of importing(file)) visit(used, [...path, file]);
+    done.add(file);
+  };
+  for (const file of files) visit(file, []);
+  return circles;
+}
+
 /** All that a file brings along, itself among it. */
 function reached(first) {
   const found = new Set([first]);
   for (const file of found) {
     for (const used of importsOf(file)) {
-      const name = [`${used}.ts`, `${used}/index.ts`, used].find((each) => files.includes(each));
+      const name = fileOf(used);
       if (name) found.add(name);
     }
   }
@@ -53,6 +70,12 @@ export default {
   },
 
   "no part knows another one, and what they share knows none": () => assert.deepEqual(offences, []),
+
+  "no files import each other in a circle": () => {
+    const [first, second] = files;
+    assert.deepEqual(circlesOf((file) => (file === first ? [second] : file === second ? [first] : [])), [[first, second, first]]);
+    assert.deepEqual(circlesOf((file) => [...importsOf(file)].map(fileOf).filter((used) => used !== undefined)), []);
+  },
 
   "a page without forms says nothing that it does not have": () => {
     const all = reached("look.ts").filter((file) => roomOf(file) !== "texts");

@@ -7,7 +7,7 @@ import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
-import type { Form } from "../index";
+import type { Form } from "../form";
 import { lengthUnit, type Answered, type Data, type DataChange, type Entry, type LengthUnit, type Section } from "./asked";
 import { DataFile } from "./data_file";
 import { EntryDialog } from "./entry_dialog";

@@ -5,7 +5,7 @@ import { element } from "../../core/dom";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
-import type { Form } from "../index";
+import type { Form } from "../form";
 import { createTabs } from "../tab_bar";
 import { createCell } from "./cell";
 import { Edits } from "./file/edits";

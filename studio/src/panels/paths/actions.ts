@@ -1,6 +1,7 @@
 // What is done with the chosen points of a path: each a step of the history.
 
-import { editPath, type PathShown } from "../../core/path_desk";
+import { editPath } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { addLeads, type LeadChoice } from "../../run/path/leads";

@@ -1,6 +1,7 @@
 // What forms of paths ask the engine for (docs/studio.md).
 
-import type { Answered, Session } from "../../core/session";
+import type { Answered } from "../../core/answered";
+import type { Session } from "../../core/session";
 import type { ListedContour } from "./contour_picks";
 
 const decode = (bytes: unknown): string => new TextDecoder().decode(bytes as Uint8Array);

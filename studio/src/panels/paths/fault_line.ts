@@ -1,7 +1,7 @@
 // What is wrong at a place of a path, above its form.
 
 import { element } from "../../core/dom";
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import { isSamePlace, type Place } from "../../run/path/path_file";
 
 export class FaultLine {

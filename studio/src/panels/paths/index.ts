@@ -4,12 +4,13 @@
 import "./paths.css";
 import { choice, element } from "../../core/dom";
 import { namesOfKind, shortName } from "../../core/kinds";
-import { watchPath, type PathShown } from "../../core/path_desk";
+import { watchPath } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { isMachinePoint, isPoint, isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
 import { texts } from "../../texts";
-import type { Form } from "../index";
+import type { Form } from "../form";
 import { PathActions } from "./actions";
 import { PointChoice } from "./choice_of_points";
 import { DrawingDialog, drawingsOf, firstDrawingChoice } from "./drawing_dialog";

@@ -3,7 +3,8 @@
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";
 import { shortName } from "../../core/kinds";
-import { editPath, type PathShown } from "../../core/path_desk";
+import { editPath } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import {

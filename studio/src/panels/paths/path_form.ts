@@ -2,7 +2,8 @@
 
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";
-import { editPath, type PathShown } from "../../core/path_desk";
+import { editPath } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { renamePath, setPath, setRoot, setTarget, type SetUpChange, type SubPathChange } from "../../run/path/path_edit";

@@ -1,7 +1,8 @@
 // The properties of a geometric point. What a point takes over from those before it stands in its fields in grey.
 
 import { element } from "../../core/dom";
-import { editPath, type PathShown } from "../../core/path_desk";
+import { editPath } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Session } from "../../core/session";
 import { robotOf } from "../../core/shown";
 import type { Store } from "../../core/store";

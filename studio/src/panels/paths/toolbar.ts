@@ -1,7 +1,7 @@
 // Buttons for what is done with the chosen points.
 
 import { choice, element, offer } from "../../core/dom";
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import { firstMachinePoint, noPoints } from "../../run/path/machine_points";
 import { texts } from "../../texts";
 import type { PathActions } from "./actions";

@@ -2,7 +2,7 @@
 // Alt what is chosen moves; a row that is dragged goes to where it is dropped.
 
 import { element } from "../../core/dom";
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import type { Store } from "../../core/store";
 import { lengthNumber } from "../../core/units";
 import { isMachinePoint, isSubPath, type MachinePoint, type Place, type Point } from "../../run/path/path_file";

@@ -1,6 +1,6 @@
 // The rows of the tree of a path file: the root, what it uses, and at the end the paths that nothing leads to.
 
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import {
   indexOfPath,
   isPoint,

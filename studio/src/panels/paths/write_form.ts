@@ -1,7 +1,7 @@
 // Writes the path as a part program for a control, and shows its round trip: how far the way of the run is from the path.
 
 import { check, element } from "../../core/dom";
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import { baseName, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store, Units } from "../../core/store";

@@ -11,7 +11,7 @@ import type { State } from "../../run/path/path_walk";
 import { axisValue } from "../../run/chain";
 import { jointsWith, rpyOf } from "../../run/path/tool_direction";
 import { texts } from "../../texts";
-import type { Form } from "../index";
+import type { Form } from "../form";
 import { numberText } from "../paths/fields";
 import { JogState, rangeOf } from "./jog_state";
 import { JointRow } from "./joint_row";

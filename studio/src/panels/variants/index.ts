@@ -11,7 +11,7 @@ import type { Store } from "../../core/store";
 import { countText } from "../../core/units";
 import { marksOf } from "../../run/marks";
 import { texts } from "../../texts";
-import type { Form } from "../index";
+import type { Form } from "../form";
 import { itemList, markItem } from "../results/mark_list";
 import { Compare } from "./compare";
 import { ListFile } from "./data/list_file";

@@ -8,7 +8,8 @@ import { ticks, type TimeWindow } from "../window";
 import type { Curves } from "./curves";
 import type { Limit } from "./limit_lines";
 import { areaPaths, linePaths } from "./paths";
-import { short, type ScaleId, type Trace } from "./traces";
+import { short } from "./traces";
+import type { ScaleId, Trace } from "./trace";
 
 /** Beside the plot (px), so that charts and scrubber stand one below the other. */
 export const LEFT_PX = 62;

@@ -8,7 +8,7 @@ import type { Axis, Scene } from "../../run/scene";
 import type { Series } from "../../run/series";
 import { texts } from "../../texts";
 import { bothWays } from "./limit_lines";
-import type { Choice, Trace } from "./traces";
+import type { Choice, Trace } from "./trace";
 
 const words = texts.time;
 

@@ -9,9 +9,10 @@ import type { Robot } from "../../run/run";
 import type { Axis, Scene } from "../../run/scene";
 import type { SeriesKind } from "../../run/series";
 import { texts } from "../../texts";
-import { bothWays, type Limit } from "./limit_lines";
+import { bothWays } from "./limit_lines";
 import { PATH, type Group } from "./probe";
 import { seriesTraces, type SeriesChartId } from "./series_traces";
+import type { Choice, ScaleId, Trace } from "./trace";
 
 const words = texts.time;
 
@@ -39,34 +40,6 @@ const isSeriesChart = (id: ChartId): id is SeriesChartId => seriesCharts.some((e
 /** Which charts there are of a robot. */
 export const chartsOf = (robot: Robot | undefined): ChartId[] =>
   chartIds.filter((id) => !isSeriesChart(id) || robot?.series.has(sourceOf[id] as SeriesKind));
-
-/** Values that share a unit share a scale. */
-export type ScaleId = "mm" | "deg" | "percent" | "force" | "torque" | "power";
-
-export interface Trace {
-  name: string;
-  channel: number;
-  colour: string;
-  dashed: boolean;
-  scale: ScaleId;
-  unit: string;
-  /** Shown is `offset` and `factor` times what the segments have (mm or rad, s). */
-  factor: number;
-  offset: number;
-  /** Whether the scale always shows 0. */
-  fromZero: boolean;
-  /** Whether it is a limit that others are held against, which is out of sight where it is far beyond them. */
-  isLimit?: boolean;
-  limits: Limit[];
-}
-
-export interface Choice {
-  units: Units;
-  /** Axes by index. */
-  axes: ReadonlySet<number>;
-  /** Speeds, accelerations and efforts as a share of the axis's limit. */
-  percent: boolean;
-}
 
 /** The unit of a chart's values on a scale. */
 function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {

@@ -15,7 +15,7 @@ import {
   Vector3,
   type Matrix4,
 } from "three";
-import type { PathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import { pointOfArc, sampleArc } from "../../run/path/path_arc";
 import { isPoint, type Place } from "../../run/path/path_file";
 import type { Motion } from "../../run/path/path_walk";

@@ -1,7 +1,8 @@
 // The path by hand in the view: drawn over all else; a click on a point chooses it, its handle moves it and turns the tool.
 
 import { Box3, Matrix4, Scene, Vector2, Vector3, type WebGLRenderer } from "three";
-import { editPath, pathShown, type PathShown } from "../../core/path_desk";
+import { editPath, pathShown } from "../../core/path_desk";
+import type { PathShown } from "../../core/path_shown";
 import { robotOf } from "../../core/shown";
 import { movePoint, setTarget } from "../../run/path/path_edit";
 import { isSamePlace, keyOfPlace, pointAt, type Place, type Point } from "../../run/path/path_file";

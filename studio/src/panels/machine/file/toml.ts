@@ -1,6 +1,6 @@
 // A TOML document as the engine reads and changes it; comments and order stay.
 
-import type { FileContent } from "../../../core/documents";
+import type { FileContent } from "../../../core/file_content";
 import { faultsOf } from "../../../core/faults";
 import type { Session } from "../../../core/session";
 import type { Told } from "../../../run/run";
