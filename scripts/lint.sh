@@ -52,7 +52,7 @@ batches_since() {
 tidy() {
     local since=${1:-} log own="^$PWD/($rooms)/" files
     prepare build-lint
-    files=("^$PWD/build-lint/($rooms)/.*/batches/" "$own.*\.cpp\$")
+    files=("^$PWD/build-lint/($rooms)/(.*/)?batches/" "$own.*\.cpp\$")
     if [[ -n $since && $since != all ]] && git diff --quiet "$since" -- .clang-tidy; then
         mapfile -t files < <(batches_since "$since")
         ((${#files[@]} > 0)) || return 0
