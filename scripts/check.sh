@@ -118,6 +118,7 @@ fast | full | touched) ;;
     exit 2
     ;;
 esac
+install_tools || { echo "0 passed, 1 failed"; exit 1; }
 since=$(base_commit)
 readonly since
 changed=$(scripts/affected.py files "$since") || exit
@@ -125,7 +126,6 @@ readonly changed
 product="^($(python3 -B scripts/rooms.py --folders)|cmake|samples)/|^CMake" || exit
 readonly cpp='\.(cpp|h|def|l|y)$' product
 
-install_tools || { echo "0 passed, 1 failed"; exit 1; }
 stage "format" "$cpp|^\.clang-format$|^scripts/lint" scripts/lint.sh format
 stage "site" '\.md$|^docs/|^mkdocs|^scripts/site' make site
 stage "each changed source by itself" "$cpp" scripts/lint.sh alone "$since"
