@@ -228,6 +228,8 @@ void write_cell_mesh(long count) {
 /// A cell of `count` of those, in rows of five on the table of the gantry, and the shapes of its head.
 void write_cell(long count) {
     Writer out;
+    // The machine's own carriage is within the simple wrist below.
+    out.line("ignore = [[\"wrist\", \"tilt carriage\"]]\n");
     out.line("[cell]\nname = \"{} meshes\"\nclearance_mm = 10.0", count);
     for (long i = 0; i < count; ++i) {
         out.line("\n[[object]]\nname = \"torus {}\"\nshape = {{ mesh = \"torus.obj\" }}", i + 1);

@@ -1,17 +1,19 @@
 #!/bin/bash
-# Generates the inputs, measures, writes BUILD-FOLDER/bench.md. Usage: bench/run.sh BUILD-FOLDER
+# Generates the inputs, measures, writes RESULT (BUILD-FOLDER/bench.md). Usage: bench/run.sh BUILD-FOLDER [RESULT]
 # RUNS (5), LINES (1000000), ARCS (200000), PASSES (100000), CELL_BLOCKS (10000) may be set smaller for a look.
 set -euo pipefail
 
 build=$(cd "$1" && pwd)
+result=$(realpath -m "${2:-$build/bench.md}")
+readonly result
 commit=$(git -C "$(dirname "$0")" describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
 readonly runs=${RUNS:-5} lines=${LINES:-1000000} arcs=${ARCS:-200000} passes=${PASSES:-100000} cell_blocks=${CELL_BLOCKS:-10000}
 readonly bin=$build/bin
 # The long program is a day of machining many times over: the limits that guard against endless programs are raised for it.
 readonly unbounded="--max-time 1e9 --max-blocks 1000000000"
 
-mkdir -p "$build/bench"
-cd "$build/bench"
+mkdir -p "$(dirname "$result")/bench"
+cd "$(dirname "$result")/bench"
 
 generate() {
     "$bin/gsim-bench-generate" "$1" "$2" >"$3"
@@ -72,7 +74,7 @@ generate cell 50 cell.toml
     long_contest "$(thousands "$((10 * lines))") lines (one run)" "$((10 * lines))" long.nc
     cell_contest "$cell_blocks"
     cell_contest "$((10 * cell_blocks))"
-} >"$build/bench.md.part"
-mv "$build/bench.md.part" "$build/bench.md"
+} >"$result.part"
+mv "$result.part" "$result"
 rm -f long.nc
-cat "$build/bench.md"
+cat "$result"
