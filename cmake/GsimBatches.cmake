@@ -27,7 +27,7 @@ function(gsim_batchable result target)
 endfunction()
 
 # gsim_compile_together(LIBRARY OTHERS...): the batches of a library have the sources of the others, too, whose archives are empty then:
-# each links the other. All of them are hot, or all are cold. With GSIM_BATCHES only: the targets, and what each of them links, are the same without.
+# each links the other. All of them are hot, or all are cold. With GSIM_BATCHES only: debug builds link each as it stands.
 function(gsim_compile_together library)
     if(NOT GSIM_BATCHES)
         return()
@@ -35,8 +35,9 @@ function(gsim_compile_together library)
     get_target_property(is_cold ${library} GSIM_IS_COLD)
     foreach(other ${ARGN})
         get_target_property(definitions ${other} COMPILE_DEFINITIONS)
+        get_target_property(library_definitions ${library} COMPILE_DEFINITIONS)
         get_target_property(other_is_cold ${other} GSIM_IS_COLD)
-        if(definitions OR NOT other_is_cold STREQUAL is_cold)
+        if(definitions OR library_definitions OR NOT other_is_cold STREQUAL is_cold)
             message(FATAL_ERROR "${other} cannot be compiled with ${library}: it has other definitions, or another optimisation")
         endif()
         gsim_batchable(sources ${other})

@@ -136,7 +136,7 @@ if(GSIM_PRECOMPILE AND GSIM_TESTS)
     endforeach()
 endif()
 
-# Tests are linked by mold where it is installed: seventy programs, in two fifths of the time.
+# Tests are linked by mold where it is installed: in two fifths of the time.
 find_program(GSIM_MOLD mold)
 mark_as_advanced(GSIM_MOLD)
 

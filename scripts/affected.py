@@ -5,15 +5,18 @@ Usage: affected.py files SINCE      the files that changed, new ones included an
        affected.py changed SINCE    the C++ sources that changed
        affected.py sources SINCE    the C++ sources that changed, and those that include a header that has
        affected.py headers SINCE    one C++ source for each header that changed: the header itself is looked at once
-       affected.py tests SINCE      the folders of tests (tests/NAME) of the folders with changed sources, and of those that include them
-       affected.py readers SINCE    the fuzz targets of the readers in these folders
+       affected.py tests SINCE      the folders of tests (tests/NAME) of the rooms with changed sources, and of those that include them
+       affected.py readers SINCE    the fuzz targets of the readers in the rooms with changed sources
 
 SINCE `all`: everything. A source that only moved, or whose #include lines name a header that did, has not changed."""
 
+import functools
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+import rooms
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 # How sources are built is no source: one that a list gets has changed itself.
@@ -28,17 +31,17 @@ def tracked(*patterns):
     return [name for name in git("ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns) if Path(name).exists()]
 
 
-def without_folders(text):
-    """A source with the folders of its own headers left out, and these headers in the order of their names: the formatter sorts them."""
-    headers = sorted(Path(header).name for header in INCLUDE.findall(text))
-    return headers, INCLUDE.sub("", text).split()
+def essence(text, old_names):
+    """The headers of a source by the names that they had before they moved, in one order (the formatter sorts them), and its other lines."""
+    headers = sorted(old_names.get(header, header) for header in INCLUDE.findall(text))
+    return headers, [line for line in INCLUDE.sub("", text).splitlines() if line]
 
 
-def is_same_source(since, before, after):
+def is_same_source(since, before, after, old_names):
     if not SOURCE.fullmatch(after) or not Path(after).exists():
         return False
     old = subprocess.run(["git", "show", f"{since}:{before}"], check=True, capture_output=True, text=True).stdout
-    return without_folders(old) == without_folders(Path(after).read_text(encoding="utf-8"))
+    return essence(old, {}) == essence(Path(after).read_text(encoding="utf-8"), old_names)
 
 
 def changed_files(since):
@@ -46,9 +49,10 @@ def changed_files(since):
     if since == "all":
         return tracked()
     found = set(git("ls-files", "--others", "--exclude-standard"))
-    for line in git("diff", "--name-status", "--find-renames", "-l0", since, "--"):
-        status, *names = line.split("\t")
-        if status[0] in "MR" and is_same_source(since, names[0], names[-1]):
+    rows = [line.split("\t") for line in git("diff", "--name-status", "--find-renames", "-l0", since, "--")]
+    old_names = {names[1]: names[0] for status, *names in rows if status[0] == "R"}
+    for status, *names in rows:
+        if status[0] in "MR" and is_same_source(since, names[0], names[-1], old_names):
             continue
         found.update(names)
     return sorted(found)
@@ -82,11 +86,22 @@ def folder(name):
     return str(Path(name).parent)
 
 
+def module_of(name):
+    """The room of a source in the table of docs/architecture.md; its folder if it is in none, as a test is."""
+    return rooms.room_of(name, module_names()) or folder(name)
+
+
+@functools.cache
+def module_names():
+    page = Path(rooms.PAGE)
+    return tuple(rooms.rows(page.read_text(encoding="utf-8"))) if page.exists() else ()
+
+
 def affected_folders(since):
-    """Folders with changed sources, and those with a source that includes a header of such a folder."""
+    """Rooms with changed sources, and those with a source that includes a header of such a room."""
     graph = includes()
-    changed = {folder(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
-    return changed | {folder(name) for name, used in graph.items() if any(folder(header) in changed for header in used)}
+    changed = {module_of(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
+    return changed | {module_of(name) for name, used in graph.items() if any(module_of(header) in changed for header in used)}
 
 
 def test_folders():
@@ -97,7 +112,7 @@ def tests_of(folders):
     """Of a folder the tests are in the folder of the same name below tests/, or of the one above it; if there are none, those that include it."""
     known = test_folders()
     found = set()
-    uses = {test: {folder(header) for name in tracked(f"{test}/*.cpp", f"{test}/*.h") for header in INCLUDE.findall(Path(name).read_text(encoding="utf-8"))}
+    uses = {test: {module_of(header) for name in tracked(f"{test}/*.cpp", f"{test}/*.h") for header in INCLUDE.findall(Path(name).read_text(encoding="utf-8"))}
             for test in known}
     for one in folders:
         own = [test for test in known if f"{one}/".startswith((f"{test}/", f"{test.removeprefix('tests/')}/"))]
@@ -111,7 +126,7 @@ def readers_of(folders, is_all):
     found = []
     for check in tracked("tests/fuzz/check_*.cpp"):
         text = Path(check).read_text(encoding="utf-8")
-        used = {folder(header) for header in INCLUDE.findall(text) if not header.startswith("tests/")} | {check}
+        used = {module_of(header) for header in INCLUDE.findall(text) if not header.startswith("tests/")} | {check}
         if is_all or used & folders:
             found += [name for name, function in targets if re.search(rf"^Outcome {function}\(", text, re.MULTILINE)]
     return sorted(found)
@@ -131,7 +146,7 @@ def main():
         found = test_folders() if since == "all" else tests_of(affected_folders(since))
     elif what == "readers":
         files = [name for name in changed_files(since) if SOURCE.fullmatch(name)]
-        changed = {folder(name) for name in files} | {name for name in files if name.startswith("tests/fuzz/check_")}
+        changed = {module_of(name) for name in files} | {name for name in files if name.startswith("tests/fuzz/check_")}
         found = readers_of(changed, since == "all")
     else:
         sys.exit(__doc__)

@@ -130,7 +130,7 @@ def size(key, holders):
 
 def write_limits(path, sizes, limits):
     head = [line for line in path.read_text(encoding="utf-8").splitlines() if not re.match(r"(names|files|comments|messages|documents) ", line)]
-    kept = {key: min(sizes[key], limits.get(key, sizes[key])) for key in sizes}
+    kept = {key: min(sizes[key], limits.get(key, 0)) for key in sizes}
     rows = [f"{area} {word} {number}" for (area, word), number in sorted(kept.items()) if number]
     path.write_text("\n".join(head + rows) + "\n", encoding="utf-8")
 

@@ -84,8 +84,8 @@ struct ControllerRules {
     /// Ramps keep the joints' jerk limits (S-curves); else they are straight.
     bool limit_jerk = false;
     /// With limit_jerk: ramps are driven in steps of this time, the acceleration the same in each, and
-    /// planned by a mean acceleration (grblHAL's ENABLE_JERK_ACCELERATION; motion/stepped_ramps.h). 0: exact
-    /// S-curves. Needs chords for arcs.
+    /// planned by a mean acceleration (grblHAL's ENABLE_JERK_ACCELERATION; motion/profile/stepped_ramps.h).
+    /// 0: exact S-curves. Needs chords for arcs.
     double ramp_step_s = 0;
     PathMeasure path_measure = PathMeasure::tool;
     /// What F counts along in a move of rotary axes and of others, where path_measure is all_axes (grblHAL:

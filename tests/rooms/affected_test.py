@@ -59,6 +59,19 @@ class Affected(unittest.TestCase):
         self.git("add", ".")
         self.assertEqual(["base/a.cpp", "low/a.cpp"], affected.changed_files("HEAD"))
 
+    def test_another_header_of_the_same_name_is_a_change(self):
+        self.write("high/a.h", "int e();\n")
+        self.write("low/a.cpp", SOURCES["low/a.cpp"].replace("low/a.h", "high/a.h"))
+        self.assertEqual(["high/a.h", "low/a.cpp"], affected.changed_files("HEAD"))
+
+    def test_another_line_break_is_a_change(self):
+        self.write("high/d.cpp", "int d()\n{ return 2; }\n")
+        self.assertEqual(["high/d.cpp"], affected.changed_files("HEAD"))
+
+    def test_all_folders_of_a_module_are_one(self):
+        self.write("docs/architecture.md", "## Rooms\n\n| `low/` | all | |\n")
+        self.assertEqual(("low", "high"), (affected.module_of("low/deep/a.h"), affected.module_of("high/c.cpp")))
+
     def test_another_header_is_a_change(self):
         self.write("high/d.cpp", '#include "low/a.h"\nint d() { return 2; }\n')
         self.assertEqual(["high/d.cpp"], affected.changed_files("HEAD"))

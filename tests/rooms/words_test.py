@@ -40,7 +40,7 @@ class Words(unittest.TestCase):
 
     def test_lowers_limits_and_never_raises_one(self):
         path = self.root / "scripts/words.txt"
-        words.write_limits(path, {("names", "most"): 3, ("names", "way"): 2}, {("names", "most"): 1, ("names", "way"): 7})
+        words.write_limits(path, {("names", "most"): 3, ("names", "way"): 2, ("messages", "guest"): 5}, {("names", "most"): 1, ("names", "way"): 7})
         limits, allowed = words.read_limits(path)
         self.assertEqual({("names", "most"): 1, ("names", "way"): 2}, limits)
         self.assertEqual({"least_squares"}, allowed)
