@@ -16,6 +16,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # no compiled Python among the sources
 import rooms
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
