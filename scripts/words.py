@@ -4,7 +4,6 @@
 Usage: words.py               prints counts above their limits, and the sums
        words.py --list WORD   prints each use of a word, with its file
        words.py --lower       lowers the limits to the counts; never raises one
-       words.py --root DIR    the same in another tree, which has a scripts/words.txt
 
 Names and files count once for each distinct name that has the word; comments, messages and documents count each use."""
 
@@ -15,6 +14,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parent.parent
 # Words of names that stand for a term of docs/glossary.md.
 NAME_WORDS = """anew answer answers apart ask asks behind beside choice crowd fault faults foretell guest held inner kink least led
     leeway look looks meeting mended most night own pace pacer piece pieces place places put puts refusal remedy room sentence sentences
@@ -69,7 +69,7 @@ def prose_uses(text):
 
 
 def uses_in_code(name, text, language):
-    """Triples (area, banned word, what has it)."""
+    """Triples (area, banned word, the name that has it, or its file)."""
     messages = "messages" if not name.startswith("tests/") else None
     rest = []
     end = 0
@@ -87,16 +87,17 @@ def uses_in_code(name, text, language):
 
 
 def uses(root):
+    """Each use: (area, banned word, the name that has it, or its file; its file)."""
     for name in files(root):
         path = root / name
         for step in {step for part in Path(name).parts for step in parts(part)} & set(NAME_WORDS):
-            yield "files", step, name
+            yield "files", step, name, name
         if path.suffix == ".md":
             for word in prose_uses(BLOCK_OF_CODE.sub(" ", path.read_text(encoding="utf-8"))):
-                yield "documents", word, name
+                yield "documents", word, name, name
         elif path.suffix in CODE:
             for area, word, holder in uses_in_code(name, path.read_text(encoding="utf-8", errors="replace"), CODE[path.suffix]):
-                yield area, word, holder if area != "names" else f"{holder}\t{name}"
+                yield area, word, holder, name
 
 
 def read_limits(path):
@@ -114,18 +115,17 @@ def read_limits(path):
 
 
 def count(root, allowed):
-    """The holders of each (area, word): distinct names and files, every use in prose."""
-    found = defaultdict(lambda: defaultdict(int))
-    for area, word, holder in uses(root):
-        if holder.split("\t")[0] not in allowed:
-            found[area, word][holder] += 1
+    """The uses of each (area, word), as pairs (holder, file)."""
+    found = defaultdict(list)
+    for area, word, holder, name in uses(root):
+        if holder not in allowed:
+            found[area, word].append((holder, name))
     return found
 
 
-def size(key, holders):
-    if key[0] == "names":
-        return len({holder.split("\t")[0] for holder in holders})
-    return len(holders) if key[0] == "files" else sum(holders.values())
+def size(key, pairs):
+    """Distinct names, all other uses one by one."""
+    return len({holder for holder, _ in pairs}) if key[0] == "names" else len(pairs)
 
 
 def write_limits(path, sizes, limits):
@@ -139,17 +139,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", metavar="WORD")
     parser.add_argument("--lower", action="store_true")
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
     options = parser.parse_args()
-    path = options.root / "scripts/words.txt"
+    path = ROOT / "scripts/words.txt"
     limits, allowed = read_limits(path)
-    found = count(options.root, allowed)
+    found = count(ROOT, allowed)
     if options.list:
-        for (area, word), holders in sorted(found.items()):
+        for (area, word), pairs in sorted(found.items()):
             if word == options.list:
-                print("\n".join(f"{area}: {holder} ({number})" for holder, number in sorted(holders.items())))
+                print(*(f"{area}: {holder} {name if name != holder else ''}".rstrip() for holder, name in sorted(pairs)), sep="\n")
         return 0
-    sizes = {key: size(key, holders) for key, holders in found.items()}
+    sizes = {key: size(key, pairs) for key, pairs in found.items()}
     above = {key: number for key, number in sizes.items() if number > limits.get(key, 0)}
     for (area, word), number in sorted(above.items()):
         print(f"{area}: '{word}' {number} times, at most {limits.get((area, word), 0)} are permitted; scripts/words.py --list '{word}'",

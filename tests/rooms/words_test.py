@@ -30,7 +30,7 @@ class Words(unittest.TestCase):
 
     def sizes(self):
         _, allowed = words.read_limits(self.root / "scripts/words.txt")
-        return {key: words.size(key, holders) for key, holders in words.count(self.root, allowed).items()}
+        return {key: words.size(key, pairs) for key, pairs in words.count(self.root, allowed).items()}
 
     def test_counts_distinct_names_and_each_use_in_prose(self):
         self.assertEqual({("names", "most"): 1, ("names", "way"): 1, ("files", "tip"): 1,
