@@ -8,7 +8,7 @@ Usage: affected.py files SINCE      the files that changed, new ones included an
        affected.py tests SINCE      the folders of tests (tests/NAME) of the rooms with changed sources, and of those that include them
        affected.py readers SINCE    the fuzz targets of the readers in the rooms with changed sources
 
-SINCE `all`: everything. A source that only moved, or whose #include lines name a header that did, has not changed."""
+SINCE `all`: everything. A source has not changed if only its folder, its names, its comments or its layout have (scripts/same_source.py)."""
 
 import functools
 import re
@@ -18,8 +18,9 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # no compiled Python among the sources
 import rooms
+import same_source
+from same_source import INCLUDE
 
-INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 # How sources are built is no source: one that a list gets has changed itself.
 SOURCE = re.compile(r".*\.(cpp|h|def|l|y|lua)")
 
@@ -32,17 +33,18 @@ def tracked(*patterns):
     return [name for name in git("ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns) if Path(name).exists()]
 
 
-def essence(text, old_names):
-    """The headers of a source by the names that they had before they moved, in one order (the formatter sorts them), and its other lines."""
-    headers = sorted(old_names.get(header, header) for header in INCLUDE.findall(text))
-    return headers, [line for line in INCLUDE.sub("", text).splitlines() if line]
+@functools.cache
+def names():
+    """All names in the sources of the working tree."""
+    return frozenset(name for file in tracked("*.cpp", "*.h", "*.def", "*.l", "*.y", "*.lua", "*.c")
+                     for name in same_source.names_of(Path(file).read_text(encoding="utf-8", errors="replace")))
 
 
 def is_same_source(since, before, after, old_names):
     if not SOURCE.fullmatch(after) or not Path(after).exists():
         return False
     old = subprocess.run(["git", "show", f"{since}:{before}"], check=True, capture_output=True, text=True).stdout
-    return essence(old, {}) == essence(Path(after).read_text(encoding="utf-8"), old_names)
+    return same_source.is_same(old, Path(after).read_text(encoding="utf-8"), after.endswith(".lua"), old_names, names())
 
 
 def changed_files(since):

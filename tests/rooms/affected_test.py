@@ -26,6 +26,7 @@ class Affected(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(folder.name)
+        affected.names.cache_clear()
         for name, text in SOURCES.items():
             self.write(name, text)
         self.git("init", "--quiet")
@@ -64,9 +65,25 @@ class Affected(unittest.TestCase):
         self.write("low/a.cpp", SOURCES["low/a.cpp"].replace("low/a.h", "high/a.h"))
         self.assertEqual(["high/a.h", "low/a.cpp"], affected.changed_files("HEAD"))
 
-    def test_another_line_break_is_a_change(self):
-        self.write("high/d.cpp", "int d()\n{ return 2; }\n")
+    def test_names_comments_and_layout_are_no_change(self):
+        self.write("high/c.cpp", '#include "low/a.h"\n#include "low/b.h"\n\n// The sum.\nint sum() {\n    return a() + b();\n}\n')
+        self.assertEqual([], affected.changed_files("HEAD"))
+
+    def test_another_value_is_a_change(self):
+        self.write("high/d.cpp", "int d() { return 3; }\n")
         self.assertEqual(["high/d.cpp"], affected.changed_files("HEAD"))
+
+    def test_another_name_of_the_project_is_a_change(self):
+        self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("a()", "d()"))
+        self.assertEqual(["high/c.cpp"], affected.changed_files("HEAD"))
+
+    def test_a_name_may_become_one_that_there_was_if_it_is_gone(self):
+        self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("c()", "d()"))
+        self.assertEqual([], affected.changed_files("HEAD"))
+
+    def test_a_name_that_becomes_another_one_of_the_source_is_a_change(self):
+        self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("b()", "a()"))
+        self.assertEqual(["high/c.cpp"], affected.changed_files("HEAD"))
 
     def test_all_folders_of_a_module_are_one(self):
         self.write("docs/architecture.md", "## Rooms\n\n| `low/` | all | |\n")
@@ -75,6 +92,39 @@ class Affected(unittest.TestCase):
     def test_another_header_is_a_change(self):
         self.write("high/d.cpp", '#include "low/a.h"\nint d() { return 2; }\n')
         self.assertEqual(["high/d.cpp"], affected.changed_files("HEAD"))
+
+
+class SameSource(unittest.TestCase):
+    def is_same(self, before, after, is_lua=False):
+        return affected.same_source.is_same(before, after, is_lua, {}, set())
+
+    def test_a_comment_in_a_text_is_none(self):
+        self.assertFalse(self.is_same('puts("a // b");', 'puts("a // c");'))
+        self.assertTrue(self.is_same('puts("a"); // b', 'puts("a"); /* c */'))
+
+    def test_a_text_may_be_cut_otherwise(self):
+        self.assertTrue(self.is_same('puts("ab" "cd");', 'puts("a"\n     "bcd");'))
+
+    def test_a_raw_text_is_compared_as_it_is(self):
+        self.assertFalse(self.is_same('x = R"(a  b)";', 'x = R"(a b)";'))
+
+    def test_the_end_of_a_directive_is_part_of_it(self):
+        self.assertFalse(self.is_same("#define a\nb c;", "#define a b\nc;"))
+
+    def test_a_mark_for_clang_tidy_is_part_of_the_source(self):
+        self.assertFalse(self.is_same("int a; // NOLINT", "int a;"))
+
+    def test_two_names_do_not_become_one(self):
+        self.assertFalse(self.is_same("a = b;", "c = c;"))
+        self.assertTrue(self.is_same("a = b;", "b = a;"))
+
+    def test_numbers_are_no_names(self):
+        self.assertFalse(self.is_same("x = 1e5;", "x = 1e6;"))
+        self.assertFalse(self.is_same("x = 1'000;", "x = 1'001;"))
+
+    def test_lua(self):
+        self.assertTrue(self.is_same("local a = 1 -- b", "local c = 1", True))
+        self.assertFalse(self.is_same("local a = 'b'", "local a = 'c'", True))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,71 @@
+"""Compares two versions of a source (C++, flex, Bison, Lua) for what a compiler makes of them: names, comments and layout may differ.
+
+Two versions are the same if one becomes the other by renaming: each name of the first has one name in the second, no two names share one, and everything else
+is equal, token by token. A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
+
+import re
+
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+STRING = r'"(?:[^"\\\n]|\\.)*"'
+# A directive of the preprocessor ends with its line, so its end is a token. Marks for clang-tidy in a comment are part of the source.
+C_TOKENS = re.compile(
+    rf"""(?P<mark>//\s*NOLINT[^\n]*)|(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<raw>R"(\w*)\(.*?\)\4")|(?P<text>{STRING}(?:\s*{STRING})*)"""
+    r"""|'(?:[^'\\\n]|\\.)+'|(?P<directive>^[ \t]*\#(?:[^\n\\]|\\.)*)|(?P<number>\.?\d(?:[\w.]|'\d|[eEpP][+-])*)|(?P<name>[A-Za-z_]\w*)|\S""",
+    re.DOTALL | re.MULTILINE)
+LUA_TOKENS = re.compile(
+    rf"""(?P<comment>--\[\[.*?\]\]|--[^\n]*)|(?P<raw>\[\[.*?\]\])|(?P<text>{STRING})|'(?:[^'\\\n]|\\.)*'"""
+    r"""|(?P<number>\.?\d[\w.]*)|(?P<name>[A-Za-z_]\w*)|\S""", re.DOTALL)
+
+
+NO_CODE = re.compile(rf"//[^\n]*|/\*.*?\*/|{STRING}|^--[^\n]*", re.DOTALL | re.MULTILINE)
+NAME = re.compile(r"[A-Za-z_]\w*")
+
+
+def names_of(text):
+    """The names in a source, without the words of its comments and texts."""
+    return NAME.findall(NO_CODE.sub(" ", text))
+
+
+def tokens_of(text, is_lua):
+    """Pairs (is a name, text of the token)."""
+    for token in (LUA_TOKENS if is_lua else C_TOKENS).finditer(text):
+        kind = token.lastgroup
+        if kind == "comment":
+            continue
+        if kind == "text":
+            yield False, "".join(re.findall(STRING, token.group())).replace('""', "")
+        elif kind == "directive":
+            yield False, "#"
+            yield from tokens_of(token.group().lstrip()[1:].replace("\\\n", " "), is_lua)
+            yield False, "end of #"
+        else:
+            yield kind == "name", token.group()
+
+
+def essence(text, is_lua, old_headers):
+    """The headers that a source includes, by the names that they had before they moved (a formatter sorts them), and its other tokens."""
+    headers = sorted(old_headers.get(header, header) for header in INCLUDE.findall(text))
+    return headers, list(tokens_of(INCLUDE.sub("", text), is_lua))
+
+
+def renaming(before, after):
+    """The names that changed, as a mapping by which `before` becomes `after` one-to-one; None if there is none."""
+    if len(before) != len(after):
+        return None
+    forth, back = {}, {}
+    for (is_name, old), (is_new_name, new) in zip(before, after):
+        if is_name != is_new_name or (not is_name and old != new):
+            return None
+        if is_name and (forth.setdefault(old, new) != new or back.setdefault(new, old) != old):
+            return None
+    return {old: new for old, new in forth.items() if old != new}
+
+
+def is_same(before, after, is_lua, old_headers, names):
+    """True if two texts of a source differ in names, comments, layout and moved headers only. `names`: all of the project by now. An old name that is still
+    among them was not renamed: another one is used in its place."""
+    (headers, tokens), (new_headers, new_tokens) = essence(before, is_lua, {}), essence(after, is_lua, old_headers)
+    if headers != new_headers:
+        return False
+    renamed = renaming(tokens, new_tokens)
+    return renamed is not None and not names & renamed.keys()
