@@ -46,7 +46,7 @@ tl::expected<std::pair<os::Descriptor, os::Descriptor>, int> make_sockets(int sl
         return tl::unexpected(errno);
     os::Descriptor ours(ends[0]);
     const os::Descriptor theirs(ends[1]);
-    const timeval slice{.tv_sec = slice_ms / 1000, .tv_usec = slice_ms % 1000 * 1000};
+    const timeval slice{.tv_sec = slice_ms / 1000, .tv_usec = suseconds_t{slice_ms % 1000} * 1000};
     if (::setsockopt(ours.number(), SOL_SOCKET, SO_RCVTIMEO, &slice, sizeof slice) != 0)
         return tl::unexpected(errno);
     os::Descriptor high = lifted(theirs);

@@ -23,16 +23,12 @@ constexpr std::size_t size<gsim_rcs_none>() {
 }  // namespace
 
 RcsSizes rcs_sizes(std::int32_t asked) {
-    switch (asked) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    case GSIM_RCS_##opcode:                                                                  \
-        return {size<gsim_rcs_##input>(), 0};
+    if (asked == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), 0};
 #define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
-    case GSIM_RCS_##opcode:                                                                        \
-        return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
+    if (asked == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
 #include "controller/module/rcs_services.def"
-        default: return {};
-    }
+    return {};
 }
 
 std::string_view rcs_service_name(std::int32_t asked) {

@@ -1,5 +1,7 @@
 #include "tests/accuracy/distribution.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace gsim::accuracy::distribution_test {

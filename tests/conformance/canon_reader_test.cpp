@@ -1,5 +1,6 @@
 #include "tests/conformance/canon_reader.h"
 
+#include <cmath>
 #include <sstream>
 
 #include <gtest/gtest.h>

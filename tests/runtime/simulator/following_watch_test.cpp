@@ -15,6 +15,7 @@
 #include "runtime/outputs/trajectory_writer.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/fed_lines.h"
+#include "tests/runtime/simulator/random_program.h"
 #include "tests/runtime/simulator/string_stream.h"
 #include "tests/runtime/simulator/test_segments.h"
 
