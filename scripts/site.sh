@@ -9,7 +9,7 @@ readonly source=build/site-src
 # mkdocs wants all pages in a folder of their own. They lie in it as they lie here, so no link has to be rewritten.
 rm -rf "$source"
 mkdir -p "$source"
-cp -r --parents README.md SECURITY.md CONTRIBUTING.md CHANGELOG.md LICENSE docs samples lua_lib/README.md bench/README.md \
+cp -r --parents README.md SECURITY.md CONTRIBUTING.md RELEASING.md CHANGELOG.md LICENSE docs samples lua_lib/README.md bench/README.md \
     bench/RESULTS.md tests/fuzz/README.md tests/fuzz/RESULTS.md engine/gsim.h "$source"
 
 # The same pages from the same sources: what mkdocs dates, it dates by the last commit.
