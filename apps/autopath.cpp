@@ -1,4 +1,4 @@
-// autopath: from a drawing or a solid to the path that a jet cuts it out by.
+// autopath: makes the path of a jet that cuts out a drawing or a solid.
 
 #include <array>
 #include <cstdint>
@@ -219,7 +219,7 @@ engine::SurfaceChoice surface_choice(const AutopathArguments& arguments) {
     return choice;
 }
 
-/// The option that says something of contours, where none are asked for; empty: there is none.
+/// Returns an option that applies to contours although none are requested; empty: no such option.
 std::string lonely_option(const AutopathArguments& arguments) {
     const AutopathArguments none;
     const engine::SurfaceChoice& given = arguments.surface;
@@ -264,8 +264,8 @@ void tell_summary(const std::string& sentence, apps::Findings& findings) {
     }
 }
 
-/// From here on nothing is needed but the drawing and the outputs. Solids are read by a program of their own,
-/// which needs its libraries.
+/// From here on only the drawing and the outputs are needed. A separate program reads solids, and it needs
+/// its libraries.
 tl::expected<void, std::string> confine_reading(const AutopathArguments& arguments,
                                                 const engine::DrawingPath& path) {
     if (arguments.no_confine || path.is_solid()) return {};
@@ -273,13 +273,13 @@ tl::expected<void, std::string> confine_reading(const AutopathArguments& argumen
                             std::array{arguments.output, arguments.findings.sarif});
 }
 
-/// A drawing that cannot be cut, or a script with a mistake, is no fault of who runs this.
+/// An error of the drawing or of a script is no error of the user of this program.
 int tell_failure(apps::Findings& findings, const engine::Failure& failure) {
     const int status = findings.fail(failure);
     return failure.in_program ? apps::kProgramFault : status;
 }
 
-/// Makes the path as the arguments say, and tells what is wrong; the exit status.
+/// Makes the path as the arguments specify, and reports errors; returns the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const apps::CpuBackstop cpu(arguments.max_cpu_s);
     if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))

@@ -16,21 +16,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The search for leaks at the end of a program that is built with sanitizers reads of its own process.
+/// The leak search at the end of a program that is built with sanitizers reads from its own process.
 #ifdef GSIM_SANITIZED
 constexpr bool kLooksAtItself = true;
 #else
 constexpr bool kLooksAtItself = false;
 #endif
 
-/// Where a program that is built for measuring coverage adds up what it ran, when it ends.
+/// Folder in which a program that is built for measuring coverage adds up its counts, when it ends.
 #ifdef GSIM_COUNTS_FOLDER
 constexpr const char* kCountsFolder = GSIM_COUNTS_FOLDER;
 #else
 constexpr const char* kCountsFolder = nullptr;
 #endif
 
-/// A file is made beside the one whose name it gets, which may be behind a link.
+/// A file is created next to its target, which may be at the end of a link.
 void add_output(const std::string& name, os::Allowed& allowed) {
     if (name.empty() || name == os::kStandardStream) return;
     std::error_code ignored;
@@ -41,7 +41,7 @@ void add_output(const std::string& name, os::Allowed& allowed) {
     allowed.changed.push_back(fs::weakly_canonical(fs::absolute(name), ignored).parent_path());
 }
 
-/// What gnuplot needs: itself, its libraries, fonts and their settings.
+/// Adds the needs of gnuplot: itself, its libraries, fonts and their settings.
 void add_programs_of_system(os::Allowed& allowed) {
     for (const char* folder : {"/usr", "/bin", "/lib", "/lib64", "/etc", "/opt", "/var/cache/fontconfig"})
         allowed.run.emplace_back(folder);
@@ -85,7 +85,7 @@ os::Allowed allowed_to(const RunArguments& arguments, const engine::Request& req
 
 tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
                                             std::span<const std::string> programs) {
-    // A module in a process of its own was begun before this, and is not confined.
+    // A module in a separate process was started before this, and is not confined.
     if (arguments.no_confine || (arguments.module_in_process && !request.module.empty())) return {};
     return give_up_all_but(allowed_to(arguments, request, programs));
 }

@@ -57,7 +57,7 @@ class Command {
         return arguments_.command == DataCommand::convert && !arguments_.from_json.empty();
     }
 
-    /// Whether FILE itself is changed.
+    /// Returns true if FILE itself is changed.
     bool changes_file() const {
         switch (arguments_.command) {
             case DataCommand::set:
@@ -69,7 +69,7 @@ class Command {
         }
     }
 
-    // From before the file is read until it is written.
+    // Locks the file from before it is read until it is written.
     tl::expected<void, std::string> lock() {
         if (!changes_file()) return {};
         return lock_to_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
@@ -148,7 +148,8 @@ class Command {
     std::optional<os::FileLock> lock_;
 };
 
-/// Behind the reading of the machine, and of what names files that may lie anywhere: settings of LinuxCNC.
+/// Confines the process after the machine was read. Does nothing for LinuxCNC settings, because they name
+/// files that may lie anywhere.
 tl::expected<void, std::string> confine(const DataArguments& a) {
     if (a.no_confine || (a.command == DataCommand::import && !imports_table(a))) return {};
     const bool shows =
@@ -157,7 +158,7 @@ tl::expected<void, std::string> confine(const DataArguments& a) {
                       std::array{shows ? std::string() : a.file, a.output, a.data, a.findings.sarif});
 }
 
-/// None where none is asked for.
+/// Returns `std::nullopt` if no machine is named.
 tl::expected<std::optional<engine::Machine>, std::string> read_machine(const std::string& name) {
     if (name.empty()) return std::nullopt;
     engine::Request request;

@@ -12,10 +12,10 @@
 
 namespace gsim::apps {
 
-/// What gsim-data is asked to do.
+/// Commands of gsim-data.
 enum class DataCommand { list, get, set, reset, reset_all, check, convert, import };
 
-/// The arguments of gsim-data as they are given.
+/// Arguments of gsim-data as they are given.
 struct DataArguments {
     std::string file;
     std::string machine;      ///< Empty: the further axes of points are not known.
@@ -23,21 +23,21 @@ struct DataArguments {
     DataCommand command = DataCommand::list;
     std::string section;  ///< Empty: all.
     std::string id;
-    std::string field;                 ///< Of get; empty: all.
-    std::vector<std::string> changes;  ///< Of set: FIELD=VALUE.
+    std::string field;                 ///< For get; empty: all.
+    std::vector<std::string> changes;  ///< For set: FIELD=VALUE.
     bool inch = false;
     bool metric = false;
     bool create = false;
     bool no_confine = false;
     double wait_s = kLongestWait_s;  ///< For files that another program changes.
-    std::string from_json;           ///< Of convert.
-    std::string output;              ///< Of convert; empty: the file itself, or standard output for JSON.
-    std::string source;              ///< Of import: settings of a control, or a table of one.
-    std::string data;                ///< Of import: where offsets and tools go; empty: nowhere.
+    std::string from_json;           ///< For convert.
+    std::string output;              ///< For convert; empty: the file itself, or standard output for JSON.
+    std::string source;              ///< For import: settings of a controller, or one of its tables.
+    std::string data;                ///< For import: file for offsets and tools; empty: none.
 };
 
-/// Runs one command; prints what it shows. The result is the exit status, or a sentence on options or files.
-/// `findings` gets what a check finds.
+/// Runs one command and prints its output. Returns the exit status, or an error message about options or
+/// files. `findings` receives the results of a check.
 tl::expected<int, std::string> run_data_command(const DataArguments& arguments, Findings& findings);
 
 }  // namespace gsim::apps

@@ -10,15 +10,16 @@
 
 namespace gsim::apps {
 
-/// What import reads.
+/// Returns the file that import reads.
 const std::string& import_source(const DataArguments& arguments);
 
-/// Whether that is a table of tools or parameters, by its ending; else it is settings, which may name tables.
+/// Returns true if that file is a table of tools or parameters, judged by its file extension. Otherwise it
+/// holds settings, which may name tables.
 bool imports_table(const DataArguments& arguments);
 
-/// gsim-data import: the settings of a control as a machine file, or one of its tables as machine data, for
-/// the axes of `machine` (null: X, Y and Z). `findings` gets what is not taken over, by name. The exit
-/// status; the error is a sentence.
+/// Runs gsim-data import: converts the settings of a controller to a machine file, or one of its tables to
+/// machine data for the axes of `machine` (null: X, Y and Z). `findings` receives what is not converted, by
+/// name. Returns the exit status or an error message.
 tl::expected<int, std::string> import_settings(const DataArguments& arguments, const engine::Machine* machine,
                                                Findings& findings);
 

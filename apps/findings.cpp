@@ -12,7 +12,7 @@ namespace gsim::apps {
 
 namespace {
 
-/// Writes a text to standard error; the status.
+/// Writes a text to standard error and returns the exit status.
 int print_error(const std::string& text) {
     return std::fputs(text.c_str(), stderr) >= 0 ? kDone : kUsage;
 }

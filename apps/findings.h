@@ -13,50 +13,51 @@
 
 namespace gsim::apps {
 
-/// How diagnostics are wanted.
+/// Output options for diagnostics.
 struct FindingOptions {
     bool json = false;  ///< One JSON document in place of text.
-    std::string sarif;  ///< A file of SARIF 2.1.0 besides, "-": standard output; empty: none.
+    std::string sarif;  ///< SARIF 2.1.0 file in addition, "-": standard output; empty: none.
 };
 
-/// Where the product of a program goes: the file that was named, or standard output.
+/// Returns the destination of a program's product: the file that was named, or standard output.
 std::string product_name(const std::string& output);
-/// Why SARIF cannot go where it is asked for, as a sentence: the product goes to standard output, too.
+/// Returns a message why SARIF cannot be written to the requested output: the product uses standard output,
+/// too.
 std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product);
 
-/// --sarif, and --json where the program has no other use of it.
+/// Adds --sarif, and --json if the program does not use that option otherwise.
 void add_finding_options(CommandLine& line, FindingOptions& options);
 void add_sarif_option(CommandLine& line, FindingOptions& options);
 
-/// What a program has to tell of its input: text at once, or one document at the end.
+/// Collector of the diagnostics of a program's input: printed as text at once, or as one document at the end.
 class Findings {
   public:
     enum class Stream : std::uint8_t { standard_output, standard_error };
 
-    /// `program` names it in sentences without a place; text goes to `text_to`, and makes way for SARIF
-    /// there.
+    /// `program` is its name in messages without a source location. Text is written to `text_to`, unless
+    /// SARIF is written there.
     Findings(std::string program, FindingOptions options, Stream text_to = Stream::standard_error)
         : program_(std::move(program)), options_(std::move(options)), text_to_(text_to) {}
 
     void take(const engine::Diagnostic& told);
     void take(const text::Diagnostic& told);
-    /// A program has been looked at: for the JSON document.
+    /// Adds a checked program to the JSON document.
     void checked(engine::CheckedProgram program) { programs_.push_back(std::move(program)); }
-    /// Another document has told what was taken so far, and these.
+    /// Replaces the diagnostics because another document has reported those taken so far, and these.
     void replace(std::vector<engine::Diagnostic> diagnostics) { all_ = std::move(diagnostics); }
-    /// Takes why something was not done; the exit status for it.
+    /// Adds the reason why something was not done; returns the exit status for it.
     int fail(const engine::Failure& failure);
-    /// The same of a sentence that may begin with its place, or with the name `file`.
+    /// Does the same for a message that may begin with its source location, or with the name `file`.
     int fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file = {});
 
-    /// Ends with this status: writes the documents that are wanted. JSON goes to `json_to`: standard error
-    /// where the program's product is on standard output. The status, or that of an output that cannot be
+    /// Ends with this status: writes the requested documents. JSON is written to `json_to`: standard error if
+    /// the program's product is on standard output. Returns the status, or that of an output that cannot be
     /// written.
     int finish(int status, Stream json_to);
-    /// The same where another document (a report) has told the diagnostics: SARIF alone.
+    /// Does the same if another document (a report) contains the diagnostics: writes SARIF alone.
     int finish_told(int status);
 
-    /// A line of text beside the diagnostics; with JSON there is none.
+    /// Prints a line of text next to the diagnostics, but not with JSON.
     void say(const std::string& text) const;
 
     const FindingOptions& options() const { return options_; }

@@ -33,12 +33,12 @@ struct OwnCommand {
     const char* description;
 };
 
-// What gsim does itself, for people and for packages.
+// Commands of gsim itself, for users and for packages.
 constexpr OwnCommand kHelp{"help", "tell what gsim, or a command, can be told"};
 constexpr OwnCommand kCompletion{"completion", "print the completion for a shell: bash, zsh or fish"};
 constexpr OwnCommand kManual{"manual", "print the man page of a command, for man -l -"};
 
-// What gsim-serve calls, and nobody else.
+// Internal command, called only by gsim-serve.
 constexpr const char* kStudioAnswer = "studio-answer";
 
 int printed(const std::string& text) {
@@ -73,7 +73,7 @@ const ProgramEntry* find_named(const FrontPrograms& front, const std::string& na
     return nullptr;
 }
 
-// By its command or by its name, which some know better.
+// Finds a program by its command or by its name, which some users know better.
 const ProgramEntry* find_program(const FrontPrograms& front, const std::string& word) {
     for (const ProgramEntry& entry : front.programs) {
         if (word == entry.command) return &entry;
@@ -81,7 +81,7 @@ const ProgramEntry* find_program(const FrontPrograms& front, const std::string& 
     return find_named(front, word);
 }
 
-// What keeps a program from being run, as text or as JSON.
+// Reports as text or as JSON why a program cannot be run.
 int refuse(const ProgramEntry& entry, Arguments arguments, text::DiagnosticKind kind,
            const std::string& why) {
     const bool json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();

@@ -76,7 +76,7 @@ tl::expected<void, std::string> write_lua(const engine::Translation& translation
         .and_then([&] { return file->commit(); });
 }
 
-/// From here on nothing but the outputs is needed; the program is open.
+/// Confines the process after the program was opened, because from here on it needs only the outputs.
 tl::expected<void, std::string> confine_translation(const TranslateArguments& arguments,
                                                     engine::Translation& translation) {
     if (arguments.no_confine) return {};
@@ -99,7 +99,7 @@ tl::expected<engine::Translation, engine::Failure> open_translation(const Transl
         });
 }
 
-/// Translates as the arguments say, and tells what is wrong; the exit status.
+/// Translates as the arguments say, and reports errors; returns the exit status.
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     if (!arguments.check) {
         if (const auto conflict =

@@ -1,4 +1,4 @@
-// gsim-check: what is wrong with programs on a machine, in a line for each finding.
+// gsim-check: reports the errors of programs on a machine, one line for each finding.
 
 #include <algorithm>
 #include <optional>
@@ -41,7 +41,7 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
                      "each program on its own, with collisions");
 }
 
-// Warnings are told, but do not count, save those of the process.
+// Warnings are reported, but do not affect the status, except those of the process.
 int check_program(engine::Request request, const engine::Machine& machine, Findings& findings) {
     const std::string program = request.program;
     const CpuBackstop where_nothing_asks(behind_own_limit_s(request.limits.cpu_s));
@@ -64,14 +64,14 @@ int check_program(engine::Request request, const engine::Machine& machine, Findi
     return kDone;
 }
 
-// The worst of what was found in all programs: a file that cannot be read does not keep the others from being
+// Returns the worst status of all programs. A file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
     std::optional<CpuBackstop> backstop(std::in_place,
                                         behind_own_limit_s(arguments.run.request.limits.cpu_s));
     engine::Request request = request_of(arguments.run);
     request.host = engine::host_of_system();
-    // Read once, before the confinement: what it names may lie anywhere.
+    // The machine is read once, before the confinement, because the files that it names may lie anywhere.
     auto machine = engine::Machine::read(request);
     if (!machine) return findings.fail(machine.error());
     for (const std::string& note : machine->notes())

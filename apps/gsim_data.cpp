@@ -1,4 +1,4 @@
-// gsim-data: shows, changes and checks machine data (NCFILE), as the form of a controller does.
+// gsim-data: shows, changes and checks machine data (NCFILE), like the form of a controller.
 
 #include <string>
 
@@ -118,7 +118,7 @@ void add_data_options(apps::CommandLine& line, DataArguments& a) {
 int run_data(const DataArguments& arguments) {
     apps::Findings findings(kGsimData, arguments.findings);
     const auto status = apps::run_data_command(arguments, findings);
-    const bool told = status && arguments.command != DataCommand::check;  // JSON of its own, or none
+    const bool told = status && arguments.command != DataCommand::check;  // prints its own JSON, or none
     const int code =
         status ? *status : findings.fail(text::DiagnosticKind::input_file, status.error(), arguments.file);
     return told ? findings.finish_told(code) : findings.finish(code, apps::Findings::Stream::standard_output);

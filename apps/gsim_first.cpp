@@ -1,4 +1,4 @@
-// gcode2lua and gsim-run by themselves: what `make run` builds, in half of the time of all programs.
+// gcode2lua and gsim-run alone: `make run` builds these in half the time of all programs.
 
 #include "apps/program_main.h"
 

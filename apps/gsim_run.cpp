@@ -1,4 +1,4 @@
-// gsim-run: runs a script or a part program on a simulated machine and tells what it would do.
+// gsim-run: runs a script or a part program on a simulated machine and reports what the machine would do.
 
 #include <algorithm>
 #include <cstdio>
@@ -37,7 +37,7 @@ using engine::Report;
 
 constexpr const char* kGsimRun = "gsim-run";
 
-/// A run with what it was asked for and what it has to tell.
+/// A run with its arguments and its reports.
 class Run {
   public:
     explicit Run(const RunArguments& given)
@@ -50,7 +50,7 @@ class Run {
         const double cpu_s = arguments_.request.limits.cpu_s;
         const apps::CpuBackstop cpu(asks ? apps::behind_own_limit_s(cpu_s) : cpu_s);
         const int status = run_as_asked();
-        // A report has told it all.
+        // A report already contains all diagnostics.
         return told_ ? findings_.finish_told(status)
                      : findings_.finish(status, apps::Findings::Stream::standard_output);
     }
@@ -68,7 +68,7 @@ class Run {
         return run_program(std::move(request));
     }
 
-    /// What is told of a machine without a program.
+    /// Reports the properties of a machine without a program.
     int run_without_program(engine::Request& request) {
         if (!arguments_.studies.check.empty()) request.machine = arguments_.studies.check;
         auto machine = engine::Machine::read(request);
@@ -89,7 +89,7 @@ class Run {
         return *ended;
     }
 
-    /// What of a control's settings is not taken over is not worth a word to who wants none.
+    /// With --quiet, settings of a controller that are not taken over are not worth a message.
     void tell(const engine::Diagnostic& told) {
         if (!arguments_.quiet || told.code != "machine") findings_.take(told);
     }
@@ -125,7 +125,7 @@ class Run {
         return ended(run.report_of(failure), apps::kProgramFault);
     }
 
-    /// Runs what was read, and writes what was asked for.
+    /// Runs the program that was read, and writes the requested outputs.
     int simulate(engine::Run& run) {
         auto outputs = apps::RunOutputs::open(arguments_, run);
         if (!outputs) return findings_.fail(text::DiagnosticKind::output, outputs.error());
@@ -155,8 +155,8 @@ class Run {
         return report.is_clean() ? apps::kDone : apps::kProgramFault;
     }
 
-    /// The report of a run whose outputs lack something. As JSON it says so itself, being all that is
-    /// printed.
+    /// Prints the report of a run with incomplete outputs. A JSON report contains the error itself, because
+    /// it is the only output.
     int failed_late(const Report& report, const std::string& code, const std::string& sentence,
                     int least_status) {
         const bool json = arguments_.findings.json;
@@ -166,7 +166,7 @@ class Run {
         return status;
     }
 
-    /// Prints the report; `status`.
+    /// Prints the report and returns `status`.
     int ended(const Report& report, int status) {
         told_ = true;
         std::vector<engine::Diagnostic> diagnostics = report.diagnostics;
@@ -179,7 +179,8 @@ class Run {
         return status;
     }
 
-    /// What goes to standard output stands alone there: a report for people makes way for it.
+    /// Standard output carries one document only, so a report for people is written to standard error
+    /// instead.
     int printed(const std::string& text, int status) const {
         const bool make_way = !arguments_.findings.json &&
                               (arguments_.outputs.on_standard_output() || arguments_.findings.sarif == "-");

@@ -7,7 +7,7 @@
 
 namespace gsim::apps {
 
-/// --dialect and --unknown.
+/// Adds --dialect and --unknown.
 void add_language_options(CommandLine& line, engine::LanguageChoice& choice);
 
 }  // namespace gsim::apps

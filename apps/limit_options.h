@@ -8,13 +8,14 @@
 
 namespace gsim::apps {
 
-/// The defaults of --max-cpu-seconds (a day, which no run needs) and --memory.
+/// Defaults of --max-cpu-seconds (a day, which no run needs) and --memory.
 inline constexpr double kMaxCpu_s = engine::Limits{}.cpu_s;
 inline constexpr std::uint64_t kMemory_mb = engine::Limits{}.memory_bytes >> 20U;
 
-/// --max-cpu-seconds, which several programs have; in the group begun last.
+/// Adds --max-cpu-seconds, an option of several programs, to the group begun last.
 void add_cpu_option(CommandLine& line, double& seconds);
-/// What holds --max-cpu-seconds where nothing asks for the place; see os::ProcessCpuLimit.
+/// Guard that enforces --max-cpu-seconds if no code checks the limit and knows the source location; see
+/// os::ProcessCpuLimit.
 class CpuBackstop {
   public:
     explicit CpuBackstop(double seconds);
@@ -23,10 +24,11 @@ class CpuBackstop {
     os::ProcessCpuLimit limit_;
 };
 
-/// Seconds for a CpuBackstop of a run that asks by itself, and tells the place, if it can.
+/// Returns the seconds for the CpuBackstop of a run that checks the limit itself and, if it can, reports the
+/// source location.
 double behind_own_limit_s(double seconds);
 
-/// --memory, the same.
+/// Adds --memory in the same group.
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes);
 
 }  // namespace gsim::apps

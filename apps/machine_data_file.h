@@ -10,22 +10,22 @@
 
 namespace gsim::apps {
 
-/// How long a file that another program is changing is waited for where nothing else is said.
+/// Default for the longest wait for a file that another program is changing.
 inline constexpr double kLongestWait_s = 10;
 
-/// --wait.
+/// Adds --wait.
 void add_wait_option(CommandLine& line, double& wait_s);
 
-/// For who reads a file, changes it and writes it back: from before the reading until it is written nobody
-/// else does so. The error is a sentence.
+/// Locks a file that the caller reads, changes and writes back. Until it is written no other program does the
+/// same. The error is a message.
 tl::expected<os::FileLock, std::string> lock_to_change(const std::string& path, double wait_s);
 
-/// Writes a file that is locked so that at each moment either the old one or the new one stands there whole,
-/// also when the power fails: beside it, to the disk, then renamed. Permissions stay; where the name is a
-/// symbolic link, its target is replaced. The error is a sentence.
+/// Writes a locked file so that at each moment either the complete old or the complete new one exists, even
+/// if the power fails. It writes a temporary file in the same folder, flushes it to the disk and renames it.
+/// Permissions are kept; if the name is a symbolic link, its target is replaced. The error is a message.
 tl::expected<void, std::string> save_text(const std::string& path, std::string_view text);
 
-/// The same for a file that was not read, and is locked while it is written.
+/// Does the same for a file that was not read, and is locked while it is written.
 tl::expected<void, std::string> replace_text(const std::string& path, std::string_view text, double wait_s);
 
 }  // namespace gsim::apps

@@ -10,9 +10,9 @@
 
 namespace gsim::apps {
 
-/// What gsim-run tells of a machine without a program.
+/// Reports of gsim-run on a machine without a program.
 struct MachineStudies {
-    std::string check;                   ///< A machine file to check; empty: not wanted.
+    std::string check;                   ///< Machine file to check; empty: not wanted.
     std::vector<std::string> envelopes;  ///< Files for the working envelope.
     std::string axes;                    ///< A file for the picture of what each axis does.
 
@@ -21,14 +21,14 @@ struct MachineStudies {
 
 void add_study_options(CommandLine& line, MachineStudies& studies);
 
-/// How to tell what was found.
+/// Output settings of the studies.
 struct StudyOutput {
     bool json = false;
-    bool quiet = false;  ///< Nothing for people on standard output.
+    bool quiet = false;  ///< No report for people on standard output.
 };
 
-/// Makes what was asked for: prints the check, and writes the envelopes. The exit status; the error is a
-/// sentence on files.
+/// Runs the requested studies: prints the check and writes the envelopes. Returns the exit status; the error
+/// is a message about files.
 tl::expected<int, std::string> run_studies(const MachineStudies& studies, engine::Machine& machine,
                                            const StudyOutput& output);
 

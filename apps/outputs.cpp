@@ -99,7 +99,7 @@ tl::expected<engine::TextSink, std::string> Outputs::sink_of(Document document, 
         };
     }
     if (document == Document::path) {
-        // There may be no path: its file is made when it is there.
+        // The run may have no path, so the file is created only when the path exists.
         if (auto writable = OutputFile::check(name); !writable) return tl::unexpected(writable.error());
         return [this, name, file = static_cast<OutputFile*>(nullptr)](std::string_view text) mutable {
             if (file == nullptr && fault_.empty()) {

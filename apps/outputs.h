@@ -15,7 +15,7 @@
 
 namespace gsim::apps {
 
-/// What a run writes; an empty name: not wanted, "-": standard output.
+/// Names of the outputs of a run; an empty name: not wanted, "-": standard output.
 struct OutputNames {
     std::string report;
     std::string view;  ///< A page with the run in it (ViewPage).
@@ -23,36 +23,36 @@ struct OutputNames {
 #include "engine/documents.def"
     engine::DocumentOptions options;
 
-    /// Those that are files, by their options.
+    /// Output that is a file, with its option.
     struct File {
         const char* option;
         std::string OutputNames::*name;
-        std::optional<engine::Document> document;  ///< None: the report, the page.
+        std::optional<engine::Document> document;  ///< Empty: the report, the page.
     };
     static std::span<const File> files();
 
-    /// Whether a file is wanted.
+    /// Returns true if a file is wanted.
     bool any() const;
-    /// Whether something goes to standard output.
+    /// Returns true if an output uses standard output.
     bool on_standard_output() const;
-    /// What cannot be done, as a sentence: a picture on standard output.
+    /// Returns a message if the request cannot be met: a picture on standard output.
     std::optional<std::string> conflict() const;
-    /// Of a robot among several: each has files of its own, "moves.left.jsonl", but for
+    /// Returns the names for one of several robots: each robot has separate files, "moves.left.jsonl", except
     /// the report and the page.
     OutputNames of_robot(const std::string& robot) const;
 };
 
-/// The files that a run of one machine writes. They appear under their names with commit() only.
+/// Files that the run of one machine writes. They appear under their names only with commit().
 class Outputs {
   public:
-    /// The error is a sentence; what the names would stop the run's files with is known here, not behind the
-    /// run. `run` is prepared, and gives its documents to what is returned.
+    /// Opens the outputs; the error is a message. Names that would prevent writing are reported here, not
+    /// after the run. `run` is prepared, and delivers its documents to the result.
     static tl::expected<std::unique_ptr<Outputs>, std::string> open(const OutputNames& names,
                                                                     engine::Run& run, std::size_t robot = 0);
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// After the run: writes report and picture, and gives all files their names. The error is a sentence.
+    /// Writes report and picture after the run, and gives all files their names. The error is a message.
     tl::expected<void, std::string> commit(const engine::Report& report);
 
   private:
@@ -67,7 +67,7 @@ class Outputs {
     std::vector<std::unique_ptr<os::OutputFile>> files_;
     std::optional<engine::Picture> picture_;
     std::string plot_script_;
-    std::string fault_;  ///< Of a file that was opened while the run went on.
+    std::string fault_;  ///< Error of a file that was opened during the run.
 };
 
 }  // namespace gsim::apps

@@ -157,14 +157,15 @@ int write_program(const engine::PathTranslation& program, const WriteArguments& 
     return committed ? apps::kDone : findings.fail(Kind::output, committed.error());
 }
 
-/// A path with a mistake, or one that the machine or the control cannot do, is no fault of who runs this.
+/// A path with an error, or one that the machine or the controller cannot execute, is not a usage error.
 int report_path_failure(apps::Findings& findings, const engine::Failure& failure) {
     if (!failure.in_program) return findings.fail(failure);
     findings.take(text::diagnostic_of(Kind::path, failure.message));
     return apps::kProgramFault;
 }
 
-/// From here on nothing is needed but the path and the outputs, those beside the main one too.
+/// Confines the process, because from here on it needs only the path and the outputs, including additional
+/// ones.
 tl::expected<void, std::string> confine_writing(const WriteArguments& a, const std::string& path) {
     if (a.no_confine) return {};
     const std::string& read = a.input == os::kStandardStream ? a.input : path;

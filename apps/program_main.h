@@ -4,8 +4,8 @@
 
 namespace gsim::apps {
 
-/// The main function of an executable that offers these programs: which one is meant is told by the name that
-/// it is called by, or by the first argument.
+/// Runs the main function of an executable that offers these programs. The name that it is called by, or the
+/// first argument, selects the program.
 int program_main(const FrontPrograms& front, int argc, char** argv);
 
 }  // namespace gsim::apps

@@ -117,7 +117,7 @@ void add_override_options(CommandLine& line, RunArguments& a) {
         .of_file(FileKind::input, {".toml"});
 }
 
-/// How a document is to be, behind the option of its file.
+/// Adds the options of a document after the option of its file.
 void add_options_of(engine::Document document, CommandLine& line, engine::DocumentOptions& options) {
     if (document == engine::Document::trajectory) {
         line.add("--step", &options.step_s, "time between samples")

@@ -13,7 +13,7 @@
 
 namespace gsim::apps {
 
-/// The options of gsim-run, as they are given; an empty name: not wanted.
+/// Options of gsim-run, as they are given; an empty name: not wanted.
 struct RunArguments {
     engine::Request request;
     std::string save_machine_data;
@@ -29,17 +29,17 @@ struct RunArguments {
     bool module_in_process = false;
 };
 
-/// What is asked of the engine.
+/// Returns the request to the engine.
 engine::Request request_of(const RunArguments& arguments);
 
-/// The options of gsim-run.
+/// Adds the options of gsim-run.
 void add_run_options(CommandLine& line, RunArguments& arguments);
-/// Those of them that say what is run and on what: the machine, its data, its cell, the language.
+/// Adds those options that say what is run and on what: the machine, its data, its cell, the language.
 void add_machine_options(CommandLine& line, RunArguments& arguments);
-/// Those that bound a run.
+/// Adds those options that limit a run.
 void add_limit_options(CommandLine& line, RunArguments& arguments);
 
-/// Why options do not go together, as a sentence; empty where they do.
+/// Returns a message why options contradict each other; empty if they do not.
 std::string find_contradiction(const RunArguments& arguments);
 
 }  // namespace gsim::apps

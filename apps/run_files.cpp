@@ -19,7 +19,7 @@ struct WrittenFile {
     std::string name;
 };
 
-/// What the run of one robot writes; of several, what they write together is not among it.
+/// Returns the files that the run of one robot writes, without those that several robots write together.
 std::vector<WrittenFile> written_by(const RunArguments& arguments, const OutputNames& outputs) {
     std::vector<WrittenFile> written;
     const auto add = [&](const char* option, const std::string& name) {
@@ -49,7 +49,7 @@ std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
     return std::nullopt;
 }
 
-/// All files that a robot must not write.
+/// Returns all files that a robot must not overwrite.
 std::vector<engine::Run::NamedFile> others_of(const RunArguments& arguments, const engine::Run& run,
                                               const std::string& robot) {
     std::vector<engine::Run::NamedFile> others = {
@@ -125,7 +125,7 @@ tl::expected<void, std::string> RunOutputs::commit(const engine::Report& report)
     return {};
 }
 
-// In one order, so that two runs with the same two files do not wait for each other.
+// The files are locked in a fixed order, so that two runs with the same two files do not wait for each other.
 tl::expected<void, std::string> KeptFiles::lock(const RunArguments& arguments, const engine::Run& run) {
     std::set<std::string> files;
     if (!arguments.request.variables.empty()) files.insert(arguments.request.variables);

@@ -14,37 +14,38 @@
 
 namespace gsim::apps {
 
-/// An output that is a file which another file has named, or that two robots would both write, as a sentence.
+/// Returns a message about an output that is a file with another use, or that two robots would both write.
 std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, const engine::Run& run);
 
-/// The first document that lacks something, of those whose fault has this code, as a sentence.
+/// Returns the message of the first incomplete document that has an error with this code.
 tl::expected<void, std::string> fault_of_documents(const engine::Run& run, const std::string& code);
 
-/// The files that a run writes, of all its robots.
+/// Files that a run writes, for all its robots.
 class RunOutputs {
   public:
-    /// As Outputs::open().
+    /// Same as Outputs::open().
     static tl::expected<RunOutputs, std::string> open(const RunArguments& arguments, engine::Run& run);
-    /// As Outputs::commit().
+    /// Same as Outputs::commit().
     tl::expected<void, std::string> commit(const engine::Report& report);
 
   private:
-    std::vector<std::unique_ptr<Outputs>> outputs_;  ///< Of several robots that of the report comes last.
+    std::vector<std::unique_ptr<Outputs>> outputs_;  ///< With several robots, that of the report comes last.
 };
 
-/// What a control keeps from one run to the next, in files.
+/// Files in which a controller keeps data from one run to the next.
 class KeptFiles {
   public:
-    /// Nobody else changes them from before they are read until they are written. The error is a sentence.
+    /// Locks the files, so that no other program changes them from before they are read until they are
+    /// written. The error is a message.
     tl::expected<void, std::string> lock(const RunArguments& arguments, const engine::Run& run);
-    /// Whether they can be written behind the run.
+    /// Checks that they can be written after the run.
     static tl::expected<void, std::string> check(const RunArguments& arguments);
-    /// As the run left them.
+    /// Writes them as the run left them.
     tl::expected<void, std::string> write(const RunArguments& arguments, const engine::Run& run) const;
 
   private:
     std::vector<os::FileLock> locks_;
-    bool in_place_ = false;  ///< Machine data are written back to where they were read.
+    bool in_place_ = false;  ///< Machine data are written back to their source file.
 };
 
 }  // namespace gsim::apps

@@ -6,7 +6,7 @@
 
 namespace gsim::apps {
 
-/// What is told of a failure where all that counts is its sentence.
+/// Returns the message of an error for callers that need only the message.
 inline std::string sentence_of(const engine::Failure& failure) {
     return failure.message;
 }

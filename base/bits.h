@@ -5,8 +5,8 @@
 
 namespace gsim {
 
-/// The bytes of a value as a value of another type of the same size: std::bit_cast, which libc++ has since
-/// version 14 only.
+/// Returns the bytes of a value as a value of another type of the same size, like std::bit_cast, which libc++
+/// has only since version 14.
 template <typename To, typename From>
 To bits_as(const From& from) {
     static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> &&

@@ -6,11 +6,11 @@
 
 namespace gsim {
 
-/// A main plane of X, Y and Z, named by its two directions in the order in which arcs turn counter-clockwise:
-/// seen against +Z, +Y and +X (G17, G18, G19).
+/// A main plane of X, Y and Z. It is named by its two directions in the order in which arcs turn
+/// counter-clockwise, seen against +Z, +Y and +X (G17, G18, G19).
 enum class Plane : std::uint8_t { xy, zx, yz };
 
-/// Which of X, Y and Z (0 to 2) a plane's directions are, and which its normal.
+/// Indices among X, Y and Z (0 to 2) of the two directions of a plane, and of its normal.
 struct PlaneAxes {
     int first, second, normal;
 };

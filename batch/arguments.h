@@ -9,7 +9,7 @@
 
 namespace gsim::batch {
 
-/// What gsim-batch is told.
+/// Arguments of gsim-batch.
 struct Arguments : RunArguments {
     Arguments() { results = "gsim-batch.sqlite"; }
 

@@ -77,7 +77,7 @@ tl::expected<Plan, std::string> plan_of(const Arguments& arguments) {
     if (!plan) return plan;
     plan->keeps.report = plan->keeps.report || arguments.reports;
     plan->keeps.picture = plan->keeps.picture || arguments.pictures;
-    // Else each run would be made in vain.
+    // Without gnuplot each run would be useless.
     if (plan->keeps.picture) {
         if (const auto found = engine::find_gnuplot(); !found) return tl::unexpected(found.error());
     }
@@ -89,7 +89,7 @@ std::string shown_time(double time_s) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-/// A line that is drawn over again on a terminal.
+/// Prints the progress line, which is redrawn on a terminal.
 void show_progress(const BatchTally& tally) {
     const double rate_1_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
     const auto left = static_cast<double>(tally.jobs - tally.done());
@@ -121,7 +121,7 @@ Done write_statistics(const Arguments& arguments, Database& results) {
     auto comparisons = compare_machines(results);
     if (!comparisons) return tl::unexpected(comparisons.error());
     if (arguments.since) {
-        // The first batch has none before it, which is no reason to tell nothing.
+        // The first batch has no predecessor, which is no reason to report nothing.
         auto before = compare_batches(results, static_cast<std::int64_t>(*arguments.since));
         if (before) {
             comparisons->push_back(*std::move(before));
@@ -207,7 +207,7 @@ int told(const tl::expected<ClusterState, std::string>& state) {
     return lacks ? apps::kProgramFault : apps::kDone;
 }
 
-/// Whether runs of the latest batch have failed.
+/// Returns true if runs of the latest batch have failed.
 bool has_failed(const std::string& file) {
     auto results = Database::open(file, true);
     if (!results) return true;
@@ -231,7 +231,7 @@ int submit_plan(const Arguments& arguments) {
     return status == apps::kDone && has_failed(arguments.results) ? apps::kProgramFault : status;
 }
 
-/// What tasks of a cluster call this program for; nothing: it is called by people.
+/// Runs a task that a cluster has started this program for; empty result: a user has started it.
 std::optional<int> run_task(const std::vector<std::string>& words) {
     if (words.size() == 2 && words.front() == kWorkerWord) return work(std::stoull(words.back()));
     const auto ended = [](const tl::expected<bool, std::string>& whole) {

@@ -6,7 +6,7 @@
 namespace gsim::batch {
 
 /// Runs gsim-batch or gsim-optimise (`called`) with its arguments. Returns the exit status; errors are
-/// reported on standard error. Throws what a lack of memory or a bug throws.
+/// reported on standard error. Throws only because of a lack of memory or a bug.
 int run_command(const std::string& called, const std::vector<std::string>& words);
 
 }  // namespace gsim::batch

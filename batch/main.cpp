@@ -1,4 +1,4 @@
-// gsim-batch: many programs on many machines in many variants, into one file of results.
+// gsim-batch: runs many programs on many machines in many variants, with one file of results.
 
 #include <exception>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// gsim-optimise: the best values of what may change, by many runs.
+// gsim-optimise: finds the best values of variable settings by many runs.
 
 #include "batch/optimise.h"
 
@@ -34,7 +34,7 @@ namespace {
 using Done = tl::expected<void, std::string>;
 using Fault = tl::unexpected<std::string>;
 
-// Others may use the same results beside a search of hours.
+// Other programs may use the same results during a search of hours.
 constexpr std::chrono::milliseconds kLockWait(600'000);
 
 struct OptimiseArguments : RunArguments {
@@ -106,7 +106,7 @@ tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, c
     });
 }
 
-/// What a cluster loses is submitted again.
+/// Evaluates a plan on a cluster. Lost jobs are submitted again.
 tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
                                                          bool anew) {
     constexpr int kMostTries = 5;
@@ -152,7 +152,7 @@ Done write_found(const OptimiseArguments& a, const SearchPlan& search, const Sea
     });
 }
 
-/// What would be in vain. Nobody is to wait for hours to be told that.
+/// Reports useless outputs before the search, because users must not wait hours for that error.
 std::string fault_of_outputs(const OptimiseArguments& a, const Plan& plan) {
     for (const std::string& file : {a.json, a.page}) {
         if (file.empty() || file == os::kStandardStream) continue;
@@ -161,7 +161,7 @@ std::string fault_of_outputs(const OptimiseArguments& a, const Plan& plan) {
     return a.best.empty() ? std::string() : fault_of_folder(plan, a.best, a.overwrite);
 }
 
-/// What was found is told whatever comes of its proof.
+/// Reports the result of the search, even if its verification run fails.
 int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
              const Evaluate& evaluate) {
     std::optional<Proof> proof;

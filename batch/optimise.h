@@ -7,7 +7,7 @@ namespace gsim::batch {
 
 inline constexpr const char* kOptimise = "gsim-optimise";
 
-/// What this program does under that name: looks for the best values of a plan's settings. The exit status.
+/// Implements gsim-optimise: searches for the best values of a plan's settings. Returns the exit status.
 int optimise(const std::vector<std::string>& words);
 
 }  // namespace gsim::batch

@@ -12,7 +12,7 @@
 
 namespace gsim::batch {
 
-/// Where and how runs are made, as both programs are told.
+/// Options that both programs have for the location and the execution of runs.
 struct RunArguments {
     std::string results;
     std::uint64_t workers = std::max(std::thread::hardware_concurrency(), 1U);
@@ -27,9 +27,9 @@ struct RunArguments {
     ClusterOptions cluster_options() const;
 };
 
-/// Of this machine: workers and what bounds them.
+/// Adds the options of this computer: workers and their limits.
 void add_worker_options(apps::CommandLine& line, RunArguments& arguments);
-/// Of a cluster; `slurm` says what is submitted.
+/// Adds the options of a cluster; `slurm` says what is submitted.
 void add_cluster_options(apps::CommandLine& line, RunArguments& arguments, const char* slurm);
 
 }  // namespace gsim::batch

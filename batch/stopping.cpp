@@ -8,7 +8,7 @@ namespace {
 
 extern "C" void ask_to_stop(int signal) {
     if (stop_flag().exchange(true)) {
-        // Asked twice: whoever waits does not want to.
+        // A second signal means that the user does not want to wait.
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
@@ -17,7 +17,7 @@ extern "C" void ask_to_stop(int signal) {
 }  // namespace
 
 std::atomic<bool>& stop_flag() {
-    static std::atomic<bool> stop = false;  // a signal handler reaches nothing else
+    static std::atomic<bool> stop = false;  // a signal handler can access only globals
     return stop;
 }
 

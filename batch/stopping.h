@@ -4,11 +4,11 @@
 
 namespace gsim::batch {
 
-/// Set where the user, or whoever runs this, asks it to end: what is under way comes to its end.
+/// Returns the flag that is set if the user or the system requests the end: work in progress is completed.
 std::atomic<bool>& stop_flag();
-/// SIGINT and SIGTERM set it from now on; a second one ends the program at once.
+/// Sets the flag on SIGINT and SIGTERM from now on; a second one ends the program at once.
 void stop_on_signals();
-/// SIGTERM alone, as tasks of a cluster have it.
+/// Sets it on SIGTERM alone, as for tasks of a cluster.
 void stop_when_ended();
 
 }  // namespace gsim::batch

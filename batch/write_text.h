@@ -10,7 +10,7 @@
 
 namespace gsim::batch {
 
-/// Writes a text to a file, or to standard output for "-"; nothing where no file is named.
+/// Writes a text to a file, or to standard output for "-"; does nothing if no file is named.
 inline tl::expected<void, std::string> write_text(const std::string& file, const std::string& text) {
     if (file.empty()) return {};
     if (file != os::kStandardStream) return os::write_file(file, text);

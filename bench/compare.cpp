@@ -1,5 +1,5 @@
-// gsim-bench-compare: runs commands that do the same work, in turn, and prints what each took as rows of a
-// Markdown table.
+// gsim-bench-compare: runs commands that do the same work, in turn, and prints the resource use of each as
+// rows of a Markdown table.
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -61,7 +61,7 @@ std::optional<Contest> parse(int argc, char** argv) {
     return contest;
 }
 
-/// Runs each contender once; false if one failed that must not.
+/// Runs each contender once; returns false if one failed that must not.
 bool run_round(Contest& contest, bool counted) {
     for (Contender& contender : contest.contenders) {
         if (!contender.installed) continue;
@@ -79,7 +79,7 @@ bool run_round(Contest& contest, bool counted) {
     return true;
 }
 
-/// A warm-up fills the file cache; a single run is for its memory, where that does not matter.
+/// A warm-up fills the file cache. A single run measures memory, for which the cache does not matter.
 bool run(Contest& contest) {
     if (contest.runs > 1 && !run_round(contest, false)) return false;
     for (int i = 0; i < contest.runs; ++i) {

@@ -1,6 +1,6 @@
 // gsim-bench-generate: writes the part programs that the benchmarks read. The same arguments give the same
 // bytes on any machine: the random numbers come from a generator that the standard fixes, and only +, -, *, /
-// and sqrt are used on the way to the digits.
+// and sqrt are used to compute the digits.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace {
 
-/// What LinuxCNC and the Allen-Bradley dialect both read: metric, absolute, XY plane, feed in mm/min.
+/// Header that LinuxCNC and the Allen-Bradley dialect both read: metric, absolute, XY plane, feed in mm/min.
 constexpr std::string_view header = "G21 G90 G17 G94\n";
 constexpr std::string_view footer = "M30\n";
 
@@ -26,7 +26,7 @@ struct Point {
     double y_mm;
 };
 
-/// Random numbers; std::uniform_real_distribution may differ from one library to the next, this does not.
+/// Random numbers that are equal with every library; those of std::uniform_real_distribution may differ.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -38,7 +38,7 @@ class Random {
     std::mt19937 engine_;
 };
 
-/// Collects the program and writes it in pieces.
+/// Collects the program and writes it in chunks.
 class Writer {
   public:
     ~Writer() { flush(); }
@@ -66,7 +66,8 @@ double rounded(double value, double unit) {
     return std::floor(value / unit + 0.5) * unit;
 }
 
-/// A bowl with two waves in it, 1 to 9 mm high over a square of 90 mm; rational, so that no sine is needed.
+/// Returns the height of a bowl with two waves in it, 1 to 9 mm high over a square of 90 mm; rational, so
+/// that no sine is needed.
 double height_mm(Point p) {
     const double u = (p.x_mm - 50.0) / 45.0;
     const double v = (p.y_mm - 50.0) / 45.0;
@@ -74,8 +75,9 @@ double height_mm(Point p) {
            1.0 / (1.0 + 16.0 * (u + v * v) * (u + v * v));
 }
 
-/// A finishing tool path: slanted passes to and fro over the surface, steps of 0.3 to 1 mm, 0.2 mm from pass
-/// to pass; at the end of the surface it turns back. Each block is a bare `X.. Y.. Z..` under the modal G1.
+/// Writes a finishing tool path: slanted passes back and forth over the surface, in steps of 0.3 to 1 mm, 0.2
+/// mm from pass to pass. At the end of the surface the path turns back. Each block is a bare `X.. Y.. Z..`
+/// under the modal G1.
 void write_lines(long count) {
     constexpr double low_mm = 5.0;
     constexpr double high_mm = 95.0;
@@ -112,7 +114,7 @@ struct Arc {
     double j_mm;
 };
 
-/// The shorter arc of the radius given between two points.
+/// Returns the shorter arc of the given radius between two points.
 Arc arc_between(Point from, Point to, double radius_mm, bool clockwise) {
     const double dx = to.x_mm - from.x_mm;
     const double dy = to.y_mm - from.y_mm;
@@ -122,8 +124,8 @@ Arc arc_between(Point from, Point to, double radius_mm, bool clockwise) {
     return {clockwise, to, dx / 2.0 - side * rise * dy / chord, dy / 2.0 + side * rise * dx / chord};
 }
 
-/// Waves of arcs along rows, turning sides, chords of 1 to 5 mm. Four decimals, so that the radii at start
-/// and end agree within what controls ask for.
+/// Writes waves of arcs along rows, on alternating sides, with chords of 1 to 5 mm. Four decimals make the
+/// radii at start and end agree within the tolerance of controllers.
 void write_arcs(long count) {
     constexpr double left_mm = 100.0;
     constexpr double right_mm = 1700.0;
@@ -156,8 +158,8 @@ void write_arcs(long count) {
     out.add(footer);
 }
 
-/// The body of the macro loop, alike in both languages: twenty lines of arithmetic and a move to the point
-/// that they give, on a rosette.
+/// Adds the body of the macro loop, the same in both languages: twenty lines of arithmetic and a move to the
+/// resulting point, on a rosette.
 void add_macro_body(Writer& out) {
     for (const std::string_view line :
          {"#2=[#1 MOD 360]", "#3=[#2*3]",       "#4=[#2*5+30]",          "#5=[40+10*COS[#3]]",
@@ -189,8 +191,8 @@ void write_macro_rs274(long count) {
     out.add(footer);
 }
 
-/// A point of the unit circle, for each eighth of a turn as many of them: walked round a square, so that a
-/// root is all that it takes. `turn` from 0 to 1.
+/// Returns a point of the unit circle, with equally many points for each eighth of a turn. A walk round a
+/// square needs only a square root. `turn` from 0 to 1.
 Point circle_point(double turn) {
     const double quarter = turn * 4.0;
     const double side = std::floor(quarter);
@@ -203,7 +205,7 @@ Point circle_point(double turn) {
     return {first.y_mm, -first.x_mm};
 }
 
-/// A torus (OBJ) of 50 x `count` quadrangles, which are read as two triangles each.
+/// Writes a torus (OBJ) of 50 x `count` quadrangles; each is read as two triangles.
 void write_cell_mesh(long count) {
     constexpr double ring_mm = 60.0;
     constexpr double tube_mm = 20.0;
@@ -225,10 +227,11 @@ void write_cell_mesh(long count) {
     }
 }
 
-/// A cell of `count` of those, in rows of five on the table of the gantry, and the shapes of its head.
+/// Writes a cell of `count` of these toruses, in rows of five on the table of the gantry, and the shapes of
+/// its head.
 void write_cell(long count) {
     Writer out;
-    // The machine's own carriage is within the simple wrist below.
+    // The machine's own carriage lies within the simple wrist below.
     out.line("ignore = [[\"wrist\", \"tilt carriage\"]]\n");
     out.line("[cell]\nname = \"{} meshes\"\nclearance_mm = 10.0", count);
     for (long i = 0; i < count; ++i) {
@@ -243,7 +246,7 @@ void write_cell(long count) {
     out.line("frame = {{ z_mm = 360.0 }}");
 }
 
-/// Blocks of 10 mm to and fro over that cell, 1 to 31 mm above the meshes.
+/// Writes blocks of 10 mm back and forth over that cell, 1 to 31 mm above the meshes.
 void write_cell_blocks(long count) {
     constexpr double step_mm = 10.0;
     constexpr double low_mm = 50.0;

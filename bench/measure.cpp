@@ -13,7 +13,7 @@ extern char** environ;
 namespace gsim::bench {
 namespace {
 
-/// Standard input and output of the child on /dev/null.
+/// Redirection of the child's standard input and output to /dev/null.
 class Silence {
   public:
     Silence() {

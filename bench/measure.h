@@ -5,19 +5,19 @@
 
 namespace gsim::bench {
 
-/// What one run of a command took.
+/// Resources that one run of a command used.
 struct Usage {
-    /// User and system time together.
+    /// Sum of user and system time.
     double cpu_s = 0.0;
     /// Peak resident memory, in units of 1,000,000 bytes.
     double peak_mb = 0.0;
-    /// Exit status; 128 and the signal's number if a signal ended it, as shells have it.
+    /// Exit status, or 128 plus the signal's number if a signal ended it, as in shells.
     int status = 0;
 };
 
-/// Runs a command (looked up on PATH) to its end with nothing on its standard input, its output thrown away.
-/// A command that cannot be started has status 127; what it says on standard error is seen. Throws
-/// std::system_error when the machine has no process to give.
+/// Runs a command (looked up on PATH) to its end with an empty standard input; its output is discarded. A
+/// command that cannot be started has status 127; its messages on standard error remain visible. Throws
+/// std::system_error if the machine cannot create a process.
 Usage measure(const std::vector<std::string>& command);
 
 }  // namespace gsim::bench

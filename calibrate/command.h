@@ -9,19 +9,20 @@
 
 namespace gsim::calibrate {
 
-/// What a command comes to; the error is a sentence.
+/// Result of a command; the error is a message.
 using Done = tl::expected<void, std::string>;
 
-/// The command that was chosen by the words of a line that were read.
+/// Command that the parsed words of a line selected.
 using Chosen = std::function<Done()>;
 
-/// A command of the line, for its options to be added to; `does` becomes what is chosen with it.
+/// Adds a command to the line and returns it, so that options can be added; if it is selected, `chosen`
+/// becomes `does`.
 apps::CommandLine& add_command(apps::CommandLine& line, Chosen& chosen, const char* name,
                                const char* description, Chosen does);
 
-/// Writes a file; none where it has no name.
+/// Writes a file, unless its name is empty.
 Done write_if(const std::string& file, const std::string& text);
-/// Writes a file, or where it has no name to standard output.
+/// Writes a file, or to standard output if its name is empty.
 Done write_or_print(const std::string& file, const std::string& text);
 
 }  // namespace gsim::calibrate

@@ -4,7 +4,7 @@
 
 namespace gsim::calibrate {
 
-/// gsim-calibrate geometry: a machine's geometry from measured tips, poses to measure, and simulated
+/// Adds gsim-calibrate geometry: a machine's geometry from measured TCPs, poses to measure, and simulated
 /// measurements.
 void add_geometry(apps::CommandLine& line, Chosen& chosen);
 

@@ -1,4 +1,4 @@
-// gsim-calibrate: a machine file from what a machine did.
+// gsim-calibrate: determines a machine file from recordings of a machine.
 
 #include <exception>
 #include <string>

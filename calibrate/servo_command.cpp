@@ -52,7 +52,7 @@ void add_servo_options(apps::CommandLine& line, ServoArguments& arguments) {
         .shows_default();
 }
 
-/// What is told of an axis.
+/// Returns the report on an axis.
 std::string told(const ServoFit& fit, const machine::Axis& axis) {
     const bool turns = axis.kind == machine::AxisKind::rotary;
     const std::string_view unit = turns ? "mdeg" : "um";

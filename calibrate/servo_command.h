@@ -4,7 +4,8 @@
 
 namespace gsim::calibrate {
 
-/// gsim-calibrate servo: the servo loops of a machine's axes from a recording of set points and places.
+/// Adds gsim-calibrate servo: the servo loops of a machine's axes from a recording of set points and
+/// positions.
 void add_servo(apps::CommandLine& line, Chosen& chosen);
 
 }  // namespace gsim::calibrate

@@ -90,7 +90,7 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("-q,--quiet", &arguments.quiet, "no word on the way");
 }
 
-/// All that is known before a fit.
+/// Data that are known before a fit.
 struct Task {
     machine::Machine machine;
     std::vector<RecordedRun> runs;

@@ -4,7 +4,7 @@
 
 namespace gsim::calibrate {
 
-/// gsim-calibrate times: what a machine file leaves open, from recorded runs.
+/// Adds gsim-calibrate times: open parameters of a machine file, from recorded runs.
 void add_times(apps::CommandLine& line, Chosen& chosen);
 
 }  // namespace gsim::calibrate

@@ -113,7 +113,7 @@ std::vector<std::string> CommandLine::groups() const {
     for (const Option& option : options_) {
         if (std::find(found.begin(), found.end(), option.group) == found.end()) found.push_back(option.group);
     }
-    // Arguments first, wherever they were added.
+    // Arguments come first, in any order of adding.
     std::stable_partition(found.begin(), found.end(),
                           [](const std::string& group) { return group == "Arguments"; });
     return found;

@@ -13,18 +13,18 @@
 
 namespace gsim::apps {
 
-/// What a file on the command line is; shells complete names by it, and no output may be another file that is
-/// named (named_files.h). One that is changed is read and written.
+/// The kind of a file on the command line; shells complete names by it, and no output may be another named
+/// file (named_files.h). A changed file is read and written.
 enum class FileKind { none, input, output, changed, folder };
 
-/// Where the value of an option goes. A bool is a flag; a vector takes as many values as are given.
+/// The target of an option's value. A bool is a flag; a vector accepts any number of values.
 using Target = std::variant<bool*, std::string*, double*, std::uint64_t*, std::optional<double>*,
                             std::vector<std::string>*, std::array<double, 3>*>;
 
 /// An option of a program, or an argument (a name without a dash), in the words that --help, the man page and
 /// the completions of shells share.
 struct Option {
-    /// Bounds of a number, both allowed.
+    /// Range of a number, both limits allowed.
     struct Range {
         double least = 0;
         double most = 0;
@@ -33,25 +33,25 @@ struct Option {
     std::string names = {};  ///< "-o,--output", or an argument's name: "part.nc".
     Target target = {};
     std::string help = {};                      ///< Without a full stop.
-    std::string group = {};                     ///< The heading that it stands under.
-    std::string value = {};                     ///< What a value is called: FILE, MM, ...
+    std::string group = {};                     ///< Its heading in the help.
+    std::string value = {};                     ///< Name of a value: FILE, MM, ...
     std::vector<std::string> choices = {};      ///< The values that there are.
     std::vector<std::string> suggestions = {};  ///< Values for shells to offer; there may be others.
-    std::vector<std::string> endings = {};      ///< Of file names: ".nc".
+    std::vector<std::string> endings = {};      ///< File extensions: ".nc".
     std::optional<Range> range = {};
-    std::string default_text = {};  ///< Empty: none is told.
+    std::string default_text = {};  ///< Empty: not shown.
     std::string excludes = {};      ///< An option that does not go with it.
     FileKind file = FileKind::none;
-    std::string may_be = {};   ///< The option whose file this one may be.
+    std::string may_be = {};   ///< The option with which this one may share a file.
     bool may_be_name = false;  ///< Without a dot it is a name of something built in.
     bool required = false;
     bool positive = false;  ///< A number must be more than 0.
 
     bool is_argument() const { return names.front() != '-'; }
     bool is_flag() const { return std::holds_alternative<bool*>(target); }
-    /// "--output" of "-o,--output"; an argument's name as it is.
+    /// Returns "--output" of "-o,--output"; an argument's name unchanged.
     std::string_view long_name() const;
-    /// "-o", or nothing.
+    /// Returns "-o", or nothing.
     std::string_view short_name() const;
 
     Option& called(std::string value_name);
@@ -63,33 +63,34 @@ struct Option {
     Option& or_name();
     Option& may_be_file_of(std::string other);
     Option& shows(std::string text);
-    /// Tells the target's value of now as the default.
+    /// Shows the target's current value as the default.
     Option& shows_default();
     Option& must_be_given();
     Option& not_with(std::string other);
 };
 
-/// A command that can be typed, and what it does.
+/// A command to type, and its effect.
 struct Example {
     std::string command;
     std::string effect;
 };
 
-/// What can be told to a program: the one table behind the parser, --help, the man page and the completions.
+/// The options and commands of a program: the one table for the parser, --help, the man page and the
+/// completions.
 class CommandLine {
   public:
     CommandLine(std::string program, std::string description)
         : program_(std::move(program)), description_(std::move(description)) {}
 
-    /// Options that are added from here on stand under this heading.
+    /// Sets the heading of options that are added from here on.
     void begin_group(std::string heading) { group_ = std::move(heading); }
     Option& add(std::string names, Target target, std::string help);
-    /// A command within the program; `chosen` is called when it is given.
+    /// Adds a command within the program; `chosen` is called if it is given.
     CommandLine& add_command(std::string name, std::string description, std::function<void()> chosen = {});
     void add_example(std::string command, std::string effect) {
         examples_.push_back({std::move(command), std::move(effect)});
     }
-    /// A paragraph behind the options.
+    /// Adds a paragraph after the options.
     void add_note(std::string text) { notes_.push_back(std::move(text)); }
 
     const std::string& program() const { return program_; }
@@ -99,29 +100,29 @@ class CommandLine {
     const std::vector<Example>& examples() const { return examples_; }
     const std::vector<std::string>& notes() const { return notes_; }
     const std::function<void()>& chosen() const { return chosen_; }
-    /// Headings of options, in the order in which they were begun.
+    /// Returns the headings of options, in the order in which they were begun.
     std::vector<std::string> groups() const;
-    /// "gsim-run [options] part.nc", without what precedes it.
+    /// Returns "gsim-run [options] part.nc", without the preceding commands.
     std::string usage() const;
 
   private:
     std::string program_;
     std::string description_;
     std::string group_ = "Options";
-    std::deque<Option> options_;       // stays where it is, so that add() can hand it out
+    std::deque<Option> options_;       // keeps addresses, so that add() can return references
     std::list<CommandLine> commands_;  // of a type that is not complete here
     std::vector<Example> examples_;
     std::vector<std::string> notes_;
     std::function<void()> chosen_;
 };
 
-/// "FILE", "NUMBER", "ab9|rs274ngc": what stands behind an option in its help; empty for a flag.
+/// Returns "FILE", "NUMBER", "ab9|rs274ngc": the text after an option in its help; empty for a flag.
 std::string value_name(const Option& option);
 
-/// The values that shells offer for an option: its choices, or what it suggests.
+/// Returns the values that shells offer for an option: its choices, or its suggestions.
 const std::vector<std::string>& offered(const Option& option);
 
-/// The help of an option with its choices, range and default.
+/// Returns the help of an option with its choices, range and default.
 std::string full_help(const Option& option);
 
 }  // namespace gsim::apps

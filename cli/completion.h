@@ -9,13 +9,13 @@
 
 namespace gsim::apps {
 
-/// A program as a shell completes it: under its own name, and as a command of gsim.
+/// A program for shell completion: under its own name, and as a command of gsim.
 struct CompletedProgram {
     std::string command;  ///< "run"
     const CommandLine* line = nullptr;
 };
 
-/// Scripts that complete `gsim` and the programs.
+/// Return scripts that complete `gsim` and the programs.
 std::string bash_completion(const CommandLine& front, std::span<const CompletedProgram> programs);
 std::string zsh_completion(const CommandLine& front, std::span<const CompletedProgram> programs);
 std::string fish_completion(const CommandLine& front, std::span<const CompletedProgram> programs);

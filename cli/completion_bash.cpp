@@ -8,7 +8,7 @@ namespace gsim::apps {
 
 namespace {
 
-// Bash cuts --option=value into three words. Names of files may have spaces, so a line is a word.
+// Bash splits --option=value into three words. Names of files may have spaces, so a line is a word.
 constexpr const char* kHelpers = R"(_gsim_begin() {
     COMPREPLY=()
     cur=${COMP_WORDS[COMP_CWORD]}
@@ -29,7 +29,7 @@ _gsim_files() {
 
 )";
 
-// A shell function's name of a program's.
+// Returns the name of a program's shell function.
 std::string function_name(std::string program) {
     for (char& c : program) {
         if (c == '-') c = '_';
@@ -45,7 +45,7 @@ std::vector<std::string> option_names(const CommandLine& line) {
     return names;
 }
 
-// The names of options that want the same kind of value, as a pattern of `case`.
+// Returns the names of options with the same kind of value, as a pattern of `case`.
 std::string pattern(const Option& option) {
     const std::string separator = option.short_name().empty() ? "" : "|";
     return fmt::format("{}{}{}", option.short_name(), separator, option.long_name());

@@ -17,7 +17,7 @@ std::string fish_quoted(std::string_view text) {
     return "'" + result + "'";
 }
 
-// What a line for one option says of its value; a flag has none.
+// Returns the part of an option's line for its value; empty for a flag.
 std::string value_flags(const Option& option) {
     if (option.is_flag()) return "";
     if (!offered(option).empty())

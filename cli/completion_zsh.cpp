@@ -8,7 +8,7 @@ namespace gsim::apps {
 
 namespace {
 
-// Text within single quotes, where _arguments takes brackets and colons for its own.
+// Returns text for single quotes; it escapes brackets and colons, which _arguments interprets.
 std::string zsh_quoted(std::string_view text) {
     std::string result;
     for (const char c : text) {

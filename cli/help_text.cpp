@@ -12,7 +12,7 @@ namespace gsim::apps {
 namespace {
 
 constexpr std::size_t kWidth = 100;
-constexpr std::size_t kColumn = 30;  // where the help of an option begins
+constexpr std::size_t kColumn = 30;  // start of an option's help text
 
 std::string entry(const std::string& name, const std::string& help) {
     const std::string text = wrapped(help, kWidth - kColumn, kColumn);
@@ -60,7 +60,7 @@ std::string note_list(const CommandLine& line) {
     return text;
 }
 
-/// "gsim-data FILE set [options] SECTION ...": the command behind what precedes all commands.
+/// Returns "gsim-data FILE set [options] SECTION ...": the command after the part that precedes all commands.
 std::string usage_of_command(const CommandLine& line, const CommandLine& command) {
     std::string usage = line.program() + " ";
     for (const Option& option : line.options()) {

@@ -6,14 +6,14 @@
 
 namespace gsim::apps {
 
-/// What --help prints: usage, options by task, examples, exit statuses. `chosen` is a command of `line` to
-/// tell of, or `line` itself.
+/// Returns the output of --help: usage, options by task, examples, exit statuses. `chosen` is a command of
+/// `line` to describe, or `line` itself.
 std::string help_text(const CommandLine& line, const CommandLine* chosen);
 
-/// Lines of at most `width` characters (but for longer words), each behind `indent` blanks.
+/// Returns lines of at most `width` characters (except for longer words), each after `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
-/// What the exit statuses of all programs mean, as a sentence.
+/// Returns the meaning of the exit statuses of all programs, as a message.
 std::string exit_statuses();
 
 }  // namespace gsim::apps

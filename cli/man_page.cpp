@@ -12,8 +12,8 @@ namespace gsim::apps {
 
 namespace {
 
-// Text that roff prints as it is: a backslash begins an escape, a bare hyphen may become a dash, a quote a
-// curved one, and a dot in front makes a request of a line.
+// Returns text that roff prints unchanged. A backslash begins an escape, a bare hyphen may become a dash, a
+// quote a curved one. A dot in front turns a line into a request.
 std::string roff(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -92,7 +92,7 @@ std::string see_also(const CommandLine& line, std::span<const std::string> other
 std::string man_page(const CommandLine& line, std::span<const std::string> others) {
     std::string text = fmt::format(".TH {} 1 {} \"gsim {}\" \"User Commands\"\n",
                                    roff(text::upper(line.program())), roff(release_date()), version());
-    // The short form of a description in the index of man pages: its first clause, without a capital letter.
+    // The index of man pages shows a short form of a description: its first clause, without a capital letter.
     std::string brief = line.description().substr(0, line.description().find(':'));
     brief = text::lower(brief.substr(0, 1)) + brief.substr(1);
     text += fmt::format(".SH NAME\n{} \\- {}\n", roff(line.program()), roff(brief));

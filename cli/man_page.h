@@ -7,7 +7,7 @@
 
 namespace gsim::apps {
 
-/// The man page of a program in section 1, in roff (man(7)); `others` are the pages to see also.
+/// Returns the man page of a program in section 1, in roff (man(7)); `others` are the pages to see also.
 std::string man_page(const CommandLine& line, std::span<const std::string> others);
 
 }  // namespace gsim::apps

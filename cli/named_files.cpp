@@ -14,11 +14,11 @@ namespace gsim::apps {
 
 namespace {
 
-/// A file that was given, as an option's value or as standard output.
+/// A given file, as an option's value or as standard output.
 struct NamedFile {
     const Option* option = nullptr;  ///< None: standard output.
     std::string value;
-    std::optional<os::FileIdentity> identity;  ///< None where it may be named twice.
+    std::optional<os::FileIdentity> identity;  ///< None if it may be named twice.
 
     bool is_written() const { return option == nullptr || option->file != FileKind::input; }
     std::string shown() const {
@@ -45,7 +45,7 @@ std::vector<std::string> values_of(const Option& option) {
     return {};
 }
 
-// A flag that is set, or a file that is standard output.
+// Returns true for a flag that is set, or a file that is standard output.
 bool is_given(const CommandLine& line, std::string_view name) {
     for (const Option& option : line.options()) {
         if (option.long_name() != name) continue;

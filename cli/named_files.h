@@ -7,9 +7,9 @@
 
 namespace gsim::apps {
 
-/// Why the files that were given do not go together, as a sentence: an output that is another output, or a
-/// file that is read, by whatever name (links, other spellings, redirected standard streams), or two outputs
-/// on standard output. For arguments that were parsed, before anything is opened.
+/// Returns a message if the given files conflict: an output that is another output, or a file that is read,
+/// by any name (links, other spellings, redirected standard streams), or two outputs on standard output. To
+/// be called with parsed arguments, before anything is opened.
 std::optional<std::string> find_file_conflict(const CommandLine& line);
 
 }  // namespace gsim::apps

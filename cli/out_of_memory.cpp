@@ -19,7 +19,7 @@ iovec piece(const char* text) {
     return {const_cast<char*>(text), std::strlen(text)};
 }
 
-// Takes no memory. Of a failure to write it nothing could be told.
+// Allocates no memory. A failure to write the message could not be reported.
 void end_without_memory() {
     os::remove_temporaries();
     const std::array sentence{piece(::program_invocation_short_name), piece(": out of memory\n")};

@@ -2,10 +2,10 @@
 
 namespace gsim::apps {
 
-/// From here on the program ends where operator new finds no memory: its temporary files are removed, a
-/// sentence goes to standard error, the status is kUsage. Nothing is unwound, as destructors (those of
-/// nlohmann-json's values) may need memory, too, and others (the streams in toml++) make something else of
-/// the exception. For main() alone.
+/// Makes the program end if operator new finds no memory, from here on: its temporary files are removed, a
+/// message is written to standard error, the status is kUsage. It does not unwind, because destructors (those
+/// of nlohmann-json's values) may need memory, too. Others (the streams in toml++) convert the exception to
+/// something else. For main() alone.
 void end_where_memory_lacks();
 
 }  // namespace gsim::apps

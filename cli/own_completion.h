@@ -6,7 +6,7 @@
 
 namespace gsim::apps {
 
-/// Scripts that complete one program.
+/// Returns a script that completes one program.
 std::string own_bash_completion(const CommandLine& line);
 std::string own_zsh_completion(const CommandLine& line);
 std::string own_fish_completion(const CommandLine& line);

@@ -8,9 +8,9 @@
 
 namespace gsim::apps {
 
-/// Prints what a program that is no part of gsim has beside its work, where the words ask for that: `manual`,
-/// its man page, with `others` to see also; `completion SHELL`. The exit status; nothing: they ask for
-/// something else.
+/// Prints the additional pages of a program that is not part of gsim, if the words request them: `manual`,
+/// its man page, with `others` to see also; `completion SHELL`. Returns the exit status; nothing: they
+/// request something else.
 std::optional<int> print_own_pages(const CommandLine& line, std::span<const std::string> words,
                                    std::span<const std::string> others);
 

@@ -1,4 +1,4 @@
-// The one unit that includes CLI11, which takes ten seconds to compile.
+// The only unit that includes CLI11, which requires ten seconds to compile.
 #include "cli/parse.h"
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ CLI::Option* add_bare(CLI::App& app, const Option& option) {
                 return app.add_flag(option.names, *target, option.help);
             } else {
                 CLI::Option* added = app.add_option(option.names, *target, option.help);
-                // An option of many values takes one each time, so that an argument may follow it.
+                // An option of many values consumes one each time, so that an argument may follow it.
                 if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
                     if (!option.is_argument()) added->allow_extra_args(false);
                 }
@@ -71,7 +71,7 @@ void add_words(const CommandLine& line, std::vector<std::string_view>& words) {
     for (const CommandLine& command : line.commands()) words.emplace_back(command.program());
 }
 
-/// What is wrong with a word that nothing takes.
+/// Returns the error of a word that no option accepts.
 std::string unknown_word(const std::string& word, const CLI::App& app, const CommandLine& line) {
     const bool is_option = word.size() > 1 && word.front() == '-';
     std::vector<std::string_view> known;
@@ -82,7 +82,7 @@ std::string unknown_word(const std::string& word, const CLI::App& app, const Com
                        did_you_mean(bare, known));
 }
 
-/// What is wrong with the arguments, as a sentence.
+/// Returns the error of the arguments, as a message.
 std::string mistake(const CLI::App& app, const CommandLine& line, const std::string& what) {
     const std::vector<std::string> left = app.remaining(true);
     return left.empty() ? what : unknown_word(left.front(), app, line);

@@ -10,9 +10,9 @@
 
 namespace gsim::apps {
 
-/// Reads arguments into the targets of a command line. What is left is an exit status where the program has
-/// nothing more to do (after --help and --version). The error is a sentence on words that it does not know,
-/// with what may have been meant, or on values that are not allowed.
+/// Reads arguments into the targets of a command line. Returns an exit status if the program has nothing more
+/// to do (after --help and --version). The error is a message about unknown words, with suggestions, or about
+/// values that are not allowed.
 tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
                                                     std::span<const std::string> arguments);
 

@@ -20,7 +20,7 @@ void tell_failure(int error) {
 
 }  // namespace
 
-// The stream's own mark of an error says that it was told.
+// The stream's own error flag means that the error was already reported.
 void print(std::string_view text) {
     if (std::ferror(stdout) != 0) return;
     const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
@@ -33,7 +33,7 @@ void tell(std::string_view text) {
 
 int finish_standard_output(int status) {
     const bool told = std::ferror(stdout) != 0;
-    // Some systems tell of a full disk or a lost server when the file is closed.
+    // Some systems report a full disk or a lost server only when the file is closed.
     const bool closed = std::fclose(stdout) == 0;
     if (!closed && !told) tell_failure(errno);
     return (told || !closed) && status == kDone ? kUsage : status;

@@ -7,7 +7,7 @@
 
 namespace gsim::apps {
 
-/// One of our programs: what can be told to it, and what it does.
+/// One of our programs: its command line, and its function.
 class Program {
   public:
     Program() = default;
@@ -16,11 +16,11 @@ class Program {
     virtual ~Program() = default;
 
     virtual const CommandLine& command_line() const = 0;
-    /// Does what the arguments say that were read into the command line; the exit status.
+    /// Executes the arguments that were read into the command line; returns the exit status.
     virtual int run() const = 0;
 };
 
-/// A program whose arguments are the plain values of a structure.
+/// A program with the plain values of a structure as its arguments.
 template <typename Arguments>
 class ProgramOf final : public Program {
   public:

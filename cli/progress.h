@@ -6,20 +6,20 @@
 
 namespace gsim::apps {
 
-/// A progress bar in one line of a terminal, drawn a few times a second at most and wiped at the end; nothing
-/// at all where the stream is no terminal.
+/// A progress bar in one line of a terminal, drawn at most a few times a second and erased at the end; no
+/// output if the stream is no terminal.
 class Progress {
   public:
-    /// `stream`, which must outlive this, is drawn on if it is a terminal.
+    /// Draws on `stream`, which must outlive this object, if it is a terminal.
     explicit Progress(std::FILE* stream = stderr);
     Progress(std::FILE* stream, bool enabled) : stream_(stream), enabled_(enabled) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
 
-    /// Cheap enough to be called often. `total` 0: not known.
+    /// Shows the progress; cheap enough for frequent calls. `total` 0: not known.
     void update(std::uint64_t done, std::uint64_t total);
-    /// Wipes the line, so that something else can be written.
+    /// Erases the line, so that other text can be written.
     void clear();
 
   private:

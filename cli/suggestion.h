@@ -6,8 +6,7 @@
 
 namespace gsim::apps {
 
-/// "; did you mean '--machine'?" for a word that is not known, or nothing where none of the known ones is
-/// near.
+/// Returns "; did you mean '--machine'?" for an unknown word, or nothing if no known one is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace gsim::apps

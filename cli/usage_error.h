@@ -11,12 +11,12 @@
 
 namespace gsim::apps {
 
-/// "PROGRAM: MESSAGE" on standard error, as a terminal may have it.
+/// Writes "PROGRAM: MESSAGE" to standard error, in a form that is safe for a terminal.
 inline void tell_fault(std::string_view program, std::string_view message) {
     tell(text::printable(fmt::format("{}: {}\n", program, message)));
 }
 
-/// What is wrong with options or files; the exit status for it.
+/// Reports an error of options or files; returns the exit status for it.
 inline int usage_error(const char* program, const std::string& message) {
     tell_fault(program, message);
     return kUsage;

@@ -47,7 +47,7 @@ std::string words_of(const Code& code) {
         switch (letter) {
             case '=': add("AR="); break;
             case '1': add("I1= J1= K1="); break;
-            case ',': break;  // ,C ,R and ,A are words of their own
+            case ',': break;  // ,C ,R and ,A are separate words
             case '*': add("(I J K several times)"); break;
             default: add(std::string_view(&letter, 1)); break;
         }
@@ -66,7 +66,7 @@ bool is_initial(const Dialect& dialect, const Code& code) {
            std::string_view::npos;
 }
 
-/// Rows that differ in their number alone: the settable frames, the user codes.
+/// Returns true for rows that differ only in their number: the settable frames, the user codes.
 bool continues(const Code& before, const Code& code) {
     return before.letter == code.letter && before.group == code.group && before.meaning == code.meaning &&
            code.code_x10 == before.code_x10 + 10 &&

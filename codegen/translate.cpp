@@ -23,7 +23,7 @@ std::string_view file_name(const TranslateOptions& options) {
     return std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1);
 }
 
-/// What a reading of the source has made.
+/// Result of one reading of the source.
 struct Written {
     ProgramMap programs;
     std::uint32_t last_line = 0;
@@ -58,7 +58,7 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
                       const std::function<void(const text::Diagnostic&)>& take_all) {
     source.set_name(options.source_name);
     source.end_where(options.ends);
-    // What is wrong with a program that was read in part says nothing.
+    // Errors of a program that was read in part are meaningless.
     const auto take = [&](const text::Diagnostic& told) {
         if (!source.was_ended() && source.error() == 0) take_all(told);
     };

@@ -14,7 +14,7 @@
 
 namespace gsim::codegen {
 
-/// What to make of a code that the dialect does not have.
+/// Handling of a code that the dialect does not have.
 enum class Unknown : std::uint8_t {
     error,
     warn,  ///< Its word is left out; one warning per code, with the count.
@@ -25,33 +25,33 @@ struct TranslateOptions {
     Unknown unknown = Unknown::error;
     std::string source_name = "part.nc";  ///< For messages and the first line of the Lua.
     bool inch = false;                    ///< The unit in force at the start, for the first line of the Lua.
-    bool annotate = false;                ///< Each whole source block as a trailing comment.
+    bool annotate = false;                ///< Each complete source block as a trailing comment.
     std::size_t max_errors = 100;
     lexer::Aliases aliases;
-    /// Asked as the source is read: true ends the translation with an error of kind run_limit and
+    /// Called as the source is read: true ends the translation with an error of kind run_limit and
     /// `end_reason`.
     std::function<bool()> ends;
     std::function<std::string()> end_reason;
 };
 
-/// What became of a translation.
+/// Result of a translation.
 struct Translation {
     bool ok = false;  ///< No error; only then the Lua is of use.
     std::optional<text::Diagnostic> first_error;
     ProgramMap programs;
 };
 
-/// Translates one source to Lua in `spool`. Each diagnostic goes to `take` as soon as it is known; that the
-/// source cannot be read to its end (Source::error()) is left to the caller.
+/// Translates one source to Lua in `spool`. Each diagnostic is passed to `take` as soon as it is known. The
+/// caller must check if the source could be read to its end (Source::error()).
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                       const std::function<void(const text::Diagnostic&)>& take);
 
-/// The same for a text in memory.
+/// Result of the same for a text in memory.
 struct TextTranslation {
     bool ok = false;
     std::string lua;          ///< Empty unless ok.
     std::string diagnostics;  ///< As people read them.
-    ProgramMap programs;      ///< Of `lua`.
+    ProgramMap programs;      ///< Programs of `lua`.
 };
 TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options);
 

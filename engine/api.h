@@ -1,4 +1,4 @@
 #pragma once
 
-/// What a shared library shows of this interface.
+/// The symbols of this interface that a shared library exports.
 #define GSIM_API __attribute__((visibility("default")))

@@ -5,13 +5,14 @@
 
 namespace gsim::engine {
 
-/// Ends work from anywhere: another thread, a signal, a callback of the work itself. Copies are one.
+/// A request to cancel work from anywhere: another thread, a signal, a callback of the work itself. Copies
+/// share one state.
 class Cancel {
   public:
     void now() { *asked_ = true; }
     bool asked() const { return *asked_; }
 
-    /// For the library itself.
+    /// For internal use.
     std::shared_ptr<const std::atomic<bool>> flag() const { return asked_; }
 
   private:

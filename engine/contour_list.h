@@ -13,26 +13,26 @@
 
 namespace gsim::engine {
 
-/// A contour that could be cut, to be looked at and chosen (ContourChoice::edges).
+/// A contour that could be cut, for display and selection (ContourChoice::edges).
 struct ListedContour {
     std::string face = {};  ///< As messages name it, of which it is.
     bool is_hole = false;
     bool is_open = false;                 ///< A chain of edges.
-    std::vector<std::string> edges = {};  ///< Their numbers in the file; empty where they have none.
+    std::vector<std::string> edges = {};  ///< Their numbers in the file; empty if they have none.
     double length_mm = 0;
-    double depth_mm = 0;  ///< The most that a wall reaches below it.
-    double lean_deg = 0;  ///< The most that a wall leans from the face's normal.
+    double depth_mm = 0;  ///< The max depth of a wall below it.
+    double lean_deg = 0;  ///< The max tilt of a wall from the face's normal.
     std::vector<std::array<double, 3>> line_mm =
-        {};  ///< Places along it, of the file; closed, the last is the first.
+        {};  ///< Positions along it, of the file; if closed, the last is the first.
 };
 
 struct ContourList {
     std::vector<ListedContour> contours = {};
-    std::vector<std::string> notes = {};  ///< What of the part is left out, in sentences.
+    std::vector<std::string> notes = {};  ///< Messages about omitted elements of the part.
 };
 
-/// What a choice means of a STEP or IGES file, named as DrawingRequest::drawing is, and read by
-/// Host::read_contours.
+/// Returns the contours that a choice selects in a STEP or IGES file, which is named as
+/// DrawingRequest::drawing is, and read by Host::read_contours.
 GSIM_API tl::expected<ContourList, Failure> list_contours(const Host& host, const std::string& part,
                                                           const ContourChoice& choice);
 

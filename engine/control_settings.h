@@ -15,33 +15,34 @@
 
 namespace gsim::engine {
 
-/// What a control was set up with, taken over: LinuxCNC's .ini, .tbl and .var, or what grbl answers to $$.
+/// The imported settings of a controller: LinuxCNC's .ini, .tbl and .var, or the response of grbl to $$.
 class GSIM_API ControlSettings {
   public:
-    /// Of a table, which says neither itself.
+    /// Unit and machine of a table, which contains neither.
     struct TableChoice {
         LengthUnit unit = LengthUnit::mm;
-        const Machine* machine = nullptr;  ///< Whose axes it is for; null: X, Y and Z.
+        const Machine* machine = nullptr;  ///< Machine with its axes; null: X, Y and Z.
     };
 
-    /// Whether a name is that of a table of tools or parameters (.tbl, .var), by its ending; else it is that
-    /// of settings of a machine, which may name tables.
+    /// Returns true if a name is that of a table of tools or parameters (.tbl, .var), by its extension; else
+    /// it is that of settings of a machine, which may name tables.
     static bool is_table(const std::string& name);
-    /// Reads settings or a table, by the ending of `name`. `files` has those that settings name, from their
-    /// folder.
+    /// Reads settings or a table, by the extension of `name`. `files` contains those that settings name, from
+    /// their folder.
     static tl::expected<ControlSettings, Failure> read(std::string_view text, const std::string& name,
                                                        const Files& files, const TableChoice& choice);
     ControlSettings(ControlSettings&&) noexcept;
     ControlSettings& operator=(ControlSettings&&) noexcept;
     ~ControlSettings();
 
-    /// What is not taken over: as a warning where that changes places or times, as a note else.
+    /// Returns the items that are not imported: as a warning if that changes positions or times, else as a
+    /// note.
     const std::vector<Diagnostic>& left_out() const;
-    /// The machine file (TOML); empty of a table.
+    /// Returns the machine file (TOML); empty for a table.
     const std::string& machine_file() const;
-    /// There are offsets, tools or variables.
+    /// Returns true if offsets, tools or variables exist.
     bool has_machine_data() const;
-    /// These as machine data (NCFILE).
+    /// Returns these as machine data (NCFILE).
     tl::expected<std::string, Failure> machine_data() const;
 
   private:

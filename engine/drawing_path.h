@@ -17,99 +17,100 @@
 
 namespace gsim::engine {
 
-/// How a drawing (.dxf, .svg) or a flat part (.step, .stp, .iges, .igs) is read.
+/// Options for reading a drawing (.dxf, .svg) or a flat part (.step, .stp, .iges, .igs).
 struct DrawingChoice {
-    double unit_mm = 0;                    ///< What one unit of a drawing is; 0: what the drawing says.
+    double unit_mm = 0;                    ///< Size of one unit of a drawing; 0: as the drawing says.
     std::vector<std::string> layers = {};  ///< Only these, if there are any (DXF).
-    double curve_tolerance_mm = 0.005;     ///< How far arcs may be off splines and ellipses.
+    double curve_tolerance_mm = 0.005;     ///< Max deviation of arcs from splines and ellipses.
     double gap_mm = 0.02;                  ///< Ends that are nearer than this are joined.
-    std::string up = {};                   ///< Of a flat part: PlateChoice::up.
-    bool flip = false;                     ///< Of a flat part: the plate is turned over.
+    std::string up = {};                   ///< For a flat part: PlateChoice::up.
+    bool flip = false;                     ///< For a flat part: the plate is turned over.
 };
 
-/// What is cut, by the materials file or by figures of one's own. What is left out is settled by the
-/// material; without one speed_mm_min and kerf_mm must be given.
+/// The cutting parameters, by the materials file or by own values. The material settles missing values;
+/// without one, speed_mm_min and kerf_mm must be given.
 struct CuttingChoice {
-    std::string material = {};           ///< As the materials file calls it; empty: none.
+    std::string material = {};           ///< Name in the materials file; empty: none.
     std::string materials = {};          ///< Materials file (TOML); empty: the one built in.
     double thickness_mm = 0;             ///< 0: that of the flat part.
     std::optional<double> quality = {};  ///< 1 (just through) to 5 (finest edge).
     std::optional<double> speed_mm_min = {};
     std::optional<double> kerf_mm = {};   ///< Width of the cut.
-    std::optional<double> pierce_s = {};  ///< For each pierce; without a material 0 where it is left out.
-    bool moving_pierce = false;  ///< The nozzle goes to and fro on the lead meanwhile, which takes less time.
-    bool straighten = false;     ///< The jet leans against the taper of its kerf. Needs a material.
+    std::optional<double> pierce_s = {};  ///< For each pierce; 0 if missing without a material.
+    bool moving_pierce =
+        false;  ///< The nozzle moves back and forth on the lead meanwhile, which takes less time.
+    bool straighten = false;  ///< The jet leans against the taper of its kerf. Needs a material.
 };
 
-/// Where the tool goes.
+/// Positions of the tool.
 struct CuttingWays {
-    /// Where the drawing's origin, on the material's upper side, lies in the work frame.
+    /// Position of the drawing's origin, on the material's upper side, in the work frame.
     std::array<double, 3> origin_mm = {};
     double lead_mm = 0;          ///< Radius of leads; 0: three kerfs.
-    double safe_height_mm = 25;  ///< Of ways between cuts, over the material.
-    double cut_height_mm = 3;    ///< Of the nozzle's tip while the jet is on.
-    double bevel_deg = 0;  ///< Lean of the jet along edges without a bevel of their own; above 0 the part is
-                           ///< smaller below.
+    double safe_height_mm = 25;  ///< For moves between cuts, over the material.
+    double cut_height_mm = 3;    ///< Height of the nozzle's TCP, jet on.
+    double bevel_deg =
+        0;  ///< Tilt of the jet along edges without their own bevel; above 0 the part is smaller below.
 };
 
-/// How contours of a part are cut that need not be flat: the jet goes along the walls below their edges, or
-/// along the normal of the face that it enters.
+/// Options for cutting contours of a part that may be curved: the jet runs along the walls below their edges,
+/// or along the normal of the face that it enters.
 struct SurfaceChoice {
     ContourChoice contours = {};  ///< Its tolerance is DrawingChoice::curve_tolerance_mm.
-    /// A script that chooses among these: it returns a function that is true of what is cut
-    /// (docs/autopath.md). Empty: all are.
+    /// A script that selects among these: it returns a function that is true for the contours to cut
+    /// (docs/autopath.md). Empty: all.
     std::string choose = {};
     double lean_deg =
         0;  ///< From the normal to the side; above 0 the part is smaller below. Not along walls.
     double tilt_deg = 0;       ///< Forwards.
     double max_lean_deg = 60;  ///< From the normal; what leans more is refused.
-    int bridges = 0;           ///< Of each contour: where it is left uncut.
-    double bridge_mm = 0.5;    ///< How wide each stays.
-    /// Where the program begins and ends, in the work frame; without it, over the first pierce and the last
-    /// one.
+    int bridges = 0;           ///< Uncut bridges of each contour.
+    double bridge_mm = 0.5;    ///< Width of each bridge.
+    /// Start and end of the program, in the work frame; if missing, over the first pierce and the last one.
     std::optional<std::array<double, 3>> start_mm = {};
 };
 
-/// What stands round the machine that is to cut: ways between cuts lead past it, and cuts that it is in the
-/// way of are refused. Names are those of files, or what Host::find finds; without a cell the machine's own
-/// bodies are looked at alone.
+/// The surroundings of the cutting machine: moves between cuts avoid them, and cuts that collide with them
+/// are errors. Names are those of files, or as Host::find finds them. Without a cell only the machine's own
+/// bodies are checked.
 struct CuttingPlace {
     std::string cell = {};
     std::string machine = {};       ///< Empty: that of the cell, or the one built in.
-    std::string machine_data = {};  ///< Where G54 lies; empty: what cell or machine name, or at 0.
+    std::string machine_data = {};  ///< Position of G54; empty: as cell or machine name it, or at 0.
 };
 
-/// A drawing to be cut out. Names are those of files, or what Host::find finds; flat parts come by
-/// Host::read_plate.
+/// A drawing to be cut out. Names are those of files, or as Host::find finds them; Host::read_plate reads
+/// flat parts.
 struct DrawingRequest {
     std::string drawing = {};
     DrawingChoice reading = {};
     CuttingChoice cutting = {};
     CuttingWays ways = {};
-    /// Contours of a part (Host::read_contours) in place of a drawing or a flat one.
+    /// Contours of a part (Host::read_contours) instead of a drawing or a flat part.
     std::optional<SurfaceChoice> surface = {};
-    /// Left out: nobody looks.
+    /// If missing, no check is made.
     std::optional<CuttingPlace> place = {};
     Host host = {};
 };
 
-/// What a path cuts.
+/// The amount of cutting in a path.
 struct CuttingFigures {
     std::size_t outlines = 0;  ///< Contours of the drawing.
     std::size_t pierces = 0;
     std::size_t without_leads = 0;
-    double cut_mm = 0;     ///< Way with the jet on: leads and contours.
+    double cut_mm = 0;     ///< Path length with the jet on: leads and contours.
     double travel_mm = 0;  ///< Between the cuts, over the material.
     double cut_s = 0;  ///< At the feeds of the path, without pierces or the time that a machine speeds up in.
-    double slower_s = 0;  ///< Of that, what curves and corners take more than straight lines of their length.
-    double turning_s = 0;        ///< Of that, turning in one place.
-    double straightening_s = 0;  ///< Of that, what leaning against the taper adds.
+    double slower_s =
+        0;  ///< Part of it: extra time of curves and corners over straight lines of their length.
+    double turning_s = 0;        ///< Part of it: turning at a fixed position.
+    double straightening_s = 0;  ///< Part of it: extra time for taper compensation.
     std::size_t moving_pierces = 0;
-    /// Of DrawingRequest::place: ways from cut to cut, and those that lead round something.
+    /// For DrawingRequest::place: paths from cut to cut, and those that were rerouted.
     std::size_t ways = 0, ways_round = 0;
 };
 
-/// What cutting it takes, by the material. Money is in `currency`.
+/// The consumption for cutting it, by the material. Money is in `currency`.
 struct JobFigures {
     double thickness_mm = 0;
     double quality = 0;
@@ -124,8 +125,8 @@ struct JobFigures {
     std::string currency = {};
 };
 
-/// A drawing on its way to the path of a jet: open(), read(), make(), write(). It has no limit of processor
-/// time of its own.
+/// A drawing that becomes the path of a jet: open(), read(), make(), write(). It has no separate limit of
+/// processor time.
 class GSIM_API DrawingPath {
   public:
     /// Finds the drawing, and reads the materials file.
@@ -134,26 +135,26 @@ class GSIM_API DrawingPath {
     DrawingPath& operator=(DrawingPath&&) noexcept;
     ~DrawingPath();
 
-    /// The file that the drawing's name means, of all files the only one that is still to be read.
+    /// Returns the file of the drawing's name, the only one that is not yet read.
     const std::string& drawing_file() const;
-    /// Whether it is a STEP or IGES file, by the ending of its name.
+    /// Returns true if it is a STEP or IGES file, by the extension of its name.
     bool is_solid() const;
-    /// Reads the drawing, and settles how it is cut. "usage": options that do not go with the drawing or
-    /// with each other.
+    /// Reads the drawing, and settles the cutting parameters. "usage": options that do not fit the drawing or
+    /// each other.
     tl::expected<void, Failure> read();
-    /// Behind read(): the path. `tell` gets what is not cut as it was drawn. What is wrong with the drawing
+    /// Makes the path, after read(). `tell` receives the deviations from the drawing. An error of the drawing
     /// itself is a failure with `in_program`: ends that stay open, contours that cross.
     tl::expected<void, Failure> make(const Tell& tell = {});
 
-    /// Behind make(): the path file (docs/paths.md), for PathTranslation or a viewer. After a sink's false it
-    /// gets no more.
+    /// Writes the path file (docs/paths.md) after make(), for PathTranslation or a viewer. It stops when a
+    /// sink returns false.
     void write(const TextSink& sink) const;
     const CuttingFigures& figures() const;
-    /// The figures in a sentence.
+    /// Returns the metrics in one message.
     std::string summary() const;
-    /// Nothing without a material.
+    /// Returns nothing without a material.
     std::optional<JobFigures> job() const;
-    /// How the values were found and what the job costs, in whole lines; empty without a material.
+    /// Returns the sources of the values and the price of the job, in full lines; empty without a material.
     std::string job_report() const;
 
   private:

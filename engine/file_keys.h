@@ -7,11 +7,11 @@
 
 namespace gsim::engine {
 
-/// Files that people write, of which forms are made.
+/// Files written by people, for which forms are made.
 enum class KeyedFile : std::uint8_t { machine, cell, controller };
 
-/// The tables and keys that such a file may have, with meanings, units, ranges and defaults: JSON, a list of
-/// tables (docs/studio.md).
+/// Returns the tables and keys that such a file may have, with meanings, units, ranges and defaults: JSON, a
+/// list of tables (docs/studio.md).
 GSIM_API std::string file_keys_json(KeyedFile file);
 
 }  // namespace gsim::engine

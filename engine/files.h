@@ -20,21 +20,21 @@ class Source;
 
 namespace gsim::engine {
 
-/// Where files are read from by their names: programs, subprograms, modules of scripts, machines,
-/// controllers, machine data, cells, meshes. Copies are the same files.
+/// The source of files by their names: programs, subprograms, modules of scripts, machines, controllers,
+/// machine data, cells, meshes. Copies are the same files.
 class GSIM_API Files {
   public:
-    /// The bytes of a file; nothing where there is none of this name. Names are those of a request, and those
-    /// that files give of each other, from the folder of the file, normal: "cell/table.toml".
+    /// Returns the bytes of a file; nothing if no file has this name. Names are those of a request, and names
+    /// in files of other files, relative to the file's folder, normalized: "cell/table.toml".
     using Give = std::function<std::optional<std::string>(const std::string& name)>;
 
-    /// The files of the system.
+    /// Uses the files of the system.
     Files();
-    /// What `give` gives, and no file of the system. It is called by whoever calls this library, and must not
-    /// throw.
+    /// Uses the results of `give` only, and no file of the system. The caller of this library calls it, and
+    /// it must not throw.
     static Files given(Give give);
 
-    /// For the library itself.
+    /// For internal use.
     const os::Files& inner() const { return *files_; }
 
   private:
@@ -43,15 +43,15 @@ class GSIM_API Files {
     std::shared_ptr<const os::Files> files_;
 };
 
-/// The text of a program that is no file. Copies are one, which is read once.
+/// The text of a program that is not a file. Copies share one text, which is read once.
 class GSIM_API Text {
   public:
     /// `name` is for messages.
     Text(std::string text, std::string name);
-    /// Copies what a stream has left (a pipe, standard input), to a temporary file where it is long. The
-    /// error is a sentence.
+    /// Copies the remainder of a stream (a pipe, standard input), to a temporary file if it is long. The
+    /// error is a message.
     static tl::expected<Text, std::string> of_stream(std::FILE* stream, std::string name);
-    /// For the library itself.
+    /// For internal use.
     lexer::Source& inner() { return *source_; }
 
   private:

@@ -8,25 +8,26 @@
 
 namespace gsim::engine {
 
-/// A program that was run to see what is wrong with it.
+/// A program that was run to find its errors.
 struct CheckedProgram {
     std::string name;
-    std::string status;       ///< As in a report; "not run" where its text has errors or cannot be read.
+    std::string status;       ///< As in a report; "not run" if its text has errors or cannot be read.
     double cycle_time_s = 0;  ///< Up to the end, or to what ended it.
 };
 
-/// "part.nc:12:7: error: text; hint" and the excerpt, in whole lines.
+/// Returns "part.nc:12:7: error: text; hint" and the excerpt, in full lines.
 GSIM_API std::string text_of(const Diagnostic& told);
 
-/// A failure as one thing to tell, with the place that its sentence begins with.
+/// Returns a failure as a diagnostic, with the source location that its message begins with.
 GSIM_API Diagnostic diagnostic_of(const Failure& failure);
 
-/// {"diagnostics": [...]}: each with file, line, column, end_column, severity, code, text and hint (null
-/// where not known), behind {"programs": [...]} where there are any (docs/diagnostics.md).
+/// Returns {"diagnostics": [...]}: each with file, line, column, end_column, severity, code, text and hint
+/// (null if not known), after {"programs": [...]} if programs are given (docs/diagnostics.md).
 GSIM_API std::string findings_json(std::span<const Diagnostic> diagnostics,
                                    std::span<const CheckedProgram> programs = {});
 
-/// The same as SARIF 2.1.0 (OASIS), which code hosts show beside the lines; rules are the kinds that occur.
+/// Returns the same as SARIF 2.1.0 (OASIS), which code hosts show next to the lines; rules are the kinds that
+/// occur.
 GSIM_API std::string findings_sarif(std::span<const Diagnostic> diagnostics);
 
 }  // namespace gsim::engine

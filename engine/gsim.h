@@ -1,10 +1,12 @@
 #ifndef GSIM_H
 #define GSIM_H
 
-/* The engine of gsim for C, and for whatever calls C. Handles are opaque; texts are UTF-8 and end in a zero
- * byte; what a function returns belongs to its handle and holds until the handle's next call, unless it says
- * otherwise. Functions that can fail return GSIM_OK or another status; gsim_run_error() has the sentence. A
- * handle is for one thread at a time, gsim_run_cancel() excepted. */
+/*
+ *  The engine of gsim for C, and for languages that call C. Handles are opaque; texts are UTF-8 and end in a
+ *  zero byte. The result of a function belongs to its handle and is valid until the handle's next call,
+ *  unless stated otherwise. Functions that can fail return GSIM_OK or another status; gsim_run_error() has
+ *  the message. A handle is for one thread at a time, except for gsim_run_cancel().
+ */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -17,7 +19,7 @@
 extern "C" {
 #endif
 
-/* Grows with what is added; what there is stays. */
+/*  Increases with additions; existing functions do not change. */
 #define GSIM_API_VERSION 1
 
 #define GSIM_MOST_AXES 16
@@ -58,7 +60,7 @@ typedef struct gsim_request gsim_request;
 typedef struct gsim_run gsim_run;
 typedef struct gsim_bytes gsim_bytes;
 
-/* One thing to tell about an input or a run. Lines and columns count from 1; 0: not known. */
+/*  One message about an input or a run. Lines and columns count from 1; 0: not known. */
 typedef struct gsim_diagnostic {
     int32_t severity;
     uint32_t line;
@@ -70,7 +72,7 @@ typedef struct gsim_diagnostic {
     const char* hint;
 } gsim_diagnostic;
 
-/* A move as it was made. Axes are in the order of gsim_run_axis(), in mm or deg. */
+/*  An executed move. Axes are in the order of gsim_run_axis(), in mm or deg. */
 typedef struct gsim_move {
     uint64_t n; /* From 1. */
     double start_s;
@@ -89,7 +91,7 @@ typedef struct gsim_move {
     uint32_t file; /* For gsim_run_file(). */
 } gsim_move;
 
-/* A piece of motion; `exact` is valid in the call alone. */
+/*  A part of motion; `exact` is valid in the call alone. */
 typedef struct gsim_segment {
     double start_s;
     double duration_s;
@@ -112,85 +114,97 @@ typedef struct gsim_sample {
     uint32_t reserved;
 } gsim_sample;
 
-/* Gives the bytes of a file by gsim_bytes_put() and returns 1, or 0 where there is no such file. */
+/*  Passes the bytes of a file to gsim_bytes_put() and returns 1, or 0 if no such file exists. */
 typedef int32_t (*gsim_read_file)(void* user, const char* name, gsim_bytes* bytes);
 typedef void (*gsim_tell)(void* user, const gsim_diagnostic* diagnostic);
 typedef void (*gsim_take_moves)(void* user, const gsim_move* moves, size_t count);
 typedef void (*gsim_take_segments)(void* user, const gsim_segment* segments, size_t count);
 typedef void (*gsim_take_samples)(void* user, const gsim_sample* samples, size_t count);
-/* Returns 0 where the text cannot be written: no more is given then. */
+/*  Returns 0 if the text cannot be written: no more is passed then. */
 typedef int32_t (*gsim_take_text)(void* user, const char* text, size_t size);
 /* `total` 0: not known. */
 typedef void (*gsim_show_progress)(void* user, uint64_t done, uint64_t total);
 
-/* GSIM_API_VERSION of the library, and its version as text. */
+/*  Returns GSIM_API_VERSION of the library, and its version as text. */
 int32_t gsim_api_version(void);
 const char* gsim_version(void);
 
-/* What is run, and on what. Null: no memory. */
+/*  Creates a request: a program and its environment. Null: no memory. */
 gsim_request* gsim_request_create(void);
 void gsim_request_destroy(gsim_request* request);
 /* Keys: program, machine, machine_data, cell, setup, robots, variables, library, probe (names of files and
  * words, as the options of gsim-run), dialect, unknown, overrides. */
 int32_t gsim_request_set_text(gsim_request* request, const char* key, const char* value);
-/* Keys: machine_s, cpu_s, blocks, steps, memory_bytes, passes, feed_override_percent,
- * rapid_override_percent, spindle_override_percent, and those that are 0 or 1: stop_at_first, collisions,
- * block_delete, optional_stop, explain. GSIM_FAILED: no such key, or a value out of its range. */
+/*
+ *  Keys: machine_s, cpu_s, blocks, steps, memory_bytes, passes, feed_override_percent,
+ *  rapid_override_percent, spindle_override_percent, and those that are 0 or 1: stop_at_first, collisions,
+ *  block_delete, optional_stop, explain. GSIM_FAILED: unknown key, or a value out of its range.
+ */
 int32_t gsim_request_set_number(gsim_request* request, const char* key, double value);
-/* The program is this text, and no file; `name` is for messages. */
+/*  Sets this text as the program instead of a file; `name` is for messages. */
 int32_t gsim_request_set_program(gsim_request* request, const char* text, size_t size, const char* name);
-/* Files come from `read` alone, by their names; without it from the system. It must outlive the run. */
+/*  Reads files by their names from `read` only; without it from the system. It must outlive the run. */
 int32_t gsim_request_set_files(gsim_request* request, gsim_read_file read, void* user);
 int32_t gsim_bytes_put(gsim_bytes* bytes, const void* data, size_t size);
 
-/* Reads machine and cell, the program and what it names. `tell` gets what is wrong, until the run is gone; it
- * may be null. The request may go at once. Null: no memory. Whether it can run: gsim_run_status(). */
+/*
+ *  Reads machine and cell, the program and the files that it names. `tell` receives errors until the run is
+ *  destroyed; it may be null. The request may be destroyed at once. Null: no memory. gsim_run_status()
+ *  returns if it can run.
+ */
 gsim_run* gsim_run_open(const gsim_request* request, gsim_tell tell, void* user);
 void gsim_run_destroy(gsim_run* run);
-/* GSIM_OK, or why it has not been opened or run. */
+/*  Returns GSIM_OK, or the reason why it has not been opened or run. */
 int32_t gsim_run_status(const gsim_run* run);
-/* The sentence of the last failure; empty: none. */
+/*  Returns the message of the last failure; empty: none. */
 const char* gsim_run_error(const gsim_run* run);
 
-/* Machines, one but in a run of several robots. */
+/*  Returns the number of machines, one except in a run of several robots. */
 size_t gsim_run_robots(const gsim_run* run);
 const char* gsim_run_robot(const gsim_run* run, size_t robot);
-/* Axes: the letter, 0 behind the last one; whether its values are deg; where it stands at the start. */
+/*
+ *  Return for an axis: the letter, 0 after the last one; 1 if its values are deg; its position at the start.
+ */
 char gsim_run_axis(const gsim_run* run, size_t robot, size_t axis);
 int32_t gsim_run_axis_is_rotary(const gsim_run* run, size_t robot, size_t axis);
 double gsim_run_home(const gsim_run* run, size_t robot, size_t axis);
 
-/* Before gsim_run_go(): what is wanted while it runs. */
+/*  Request results during the run; to be called before gsim_run_go(). */
 int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves take, void* user);
 int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments take, void* user);
-/* Each `step_s` (1e-6 at least), and the last instant. */
+/*  Delivers samples each `step_s` (1e-6 at least), and at the last instant. */
 int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples take, void* user);
-/* Documents by the words of gsim/engine/documents.def: "moves", "dxf", ... */
+/*  Writes an output, by the words of gsim/engine/documents.def: "moves", "dxf", ... */
 int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double step_s, gsim_take_text take,
                        void* user);
 int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user);
 
-/* Runs to the end, an alarm, a limit, or gsim_run_cancel(). GSIM_OK: there is a report, whatever happened. */
+/*  Runs to the end, an alarm, a limit, or gsim_run_cancel(). GSIM_OK: a report is available in any case. */
 int32_t gsim_run_go(gsim_run* run);
-/* From any thread, from a callback, and before the run has begun. */
+/*  Cancels from any thread, from a callback, and before the run has begun. */
 void gsim_run_cancel(gsim_run* run);
 
-/* Behind it, or behind a program that was refused. */
+/*  Available after gsim_run_go(), or after a program that was rejected. */
 int32_t gsim_run_outcome(const gsim_run* run); /* GSIM_COMPLETED, ... */
 double gsim_run_cycle_time_s(const gsim_run* run);
 const char* gsim_run_report_json(gsim_run* run);
 const char* gsim_run_report_text(gsim_run* run);
 const char* gsim_run_file(const gsim_run* run, uint32_t file);
-/* What the control keeps: files of permanent variables and of machine data. Null: gsim_run_error(). */
+/*
+ *  Returns the data that the controller keeps: files of permanent variables and of machine data. Null:
+ *  gsim_run_error().
+ */
 const char* gsim_run_variables(gsim_run* run);
 const char* gsim_run_machine_data(gsim_run* run);
 
-/* In the call of gsim_take_segments: `t_s` counts from the segment's start. */
+/*  For the call of gsim_take_segments: `t_s` counts from the segment's start. */
 void gsim_segment_axes(const gsim_segment* segment, double t_s, double axes[GSIM_MOST_AXES]);
 double gsim_segment_speed_mm_s(const gsim_segment* segment, double t_s);
 
-/* A part program as a script in Lua, by the request's program, machine, machine_data, dialect, unknown and
- * cpu_s. */
+/*
+ *  Translates a part program to a Lua script, by the request's program, machine, machine_data, dialect,
+ *  unknown and cpu_s.
+ */
 int32_t gsim_translate(const gsim_request* request, gsim_tell tell, void* tell_user, gsim_take_text take,
                        void* take_user);
 

@@ -22,7 +22,7 @@ struct Machine;
 
 namespace gsim::engine {
 
-/// What names stand for that are no files: samples, machines, libraries that a program brings along.
+/// Kinds of names that are not files: samples, machines, libraries that a program brings along.
 enum class NameKind : std::uint8_t {
     sample,   ///< A program, machine data, a cell, a setup, a file of robots or overrides, a drawing.
     machine,  ///< A machine file, or the name of a machine ("router3").
@@ -36,26 +36,27 @@ struct Triangles {
     std::vector<std::array<std::uint32_t, 3>> corners;  ///< Indices of points, three for each triangle.
 };
 
-/// What the engine is given from outside. It needs none of it: without processes, shared libraries or an
-/// installation around it, what would need them is refused by name.
+/// The external services of the engine. It needs none of them: without processes, shared libraries or an
+/// installation around it, it rejects each feature that needs them by name.
 struct Host {
     Files files = {};
-    /// The file that a name means; a name that is a file's stays. The error is a sentence. Null: names are
-    /// those of files.
+    /// Returns the file of a name; the name of a file does not change. The error is a message. Null: names
+    /// are those of files.
     std::function<tl::expected<std::string, std::string>(NameKind kind, const std::string& name)> find = {};
-    /// The surfaces of a STEP or IGES file, off them by `tolerance_mm` at most. The error is a sentence.
-    /// Null: such files are refused.
+    /// Returns the surfaces of a STEP or IGES file with a deviation of at most `tolerance_mm`. The error is a
+    /// message. Null: such files are rejected.
     std::function<tl::expected<Triangles, std::string>(const std::string& file, double tolerance_mm)>
         read_solid = {};
-    /// The outlines of a flat part in a STEP or IGES file. The error is a sentence. Null: such files are
-    /// refused.
+    /// Returns the outlines of a flat part in a STEP or IGES file. The error is a message. Null: such files
+    /// are rejected.
     std::function<tl::expected<Plate, std::string>(const std::string& file, const PlateChoice& choice)>
         read_plate = {};
-    /// Contours of a part in a STEP or IGES file that need not be flat. The error is a sentence. Null: such
-    /// files are refused.
+    /// Returns contours of a part in a STEP or IGES file that may be curved. The error is a message. Null:
+    /// such files are rejected.
     std::function<tl::expected<Contours, std::string>(const std::string& file, const ContourChoice& choice)>
         read_contours = {};
-    /// A controller module that plans for the machine. The error is a sentence. Null: none is taken.
+    /// Returns a controller module that plans for the machine. The error is a message. Null: none is
+    /// accepted.
     std::function<tl::expected<std::shared_ptr<rrs::RcsModule>, std::string>(const std::string& file,
                                                                              const machine::Machine& machine)>
         load_module = {};

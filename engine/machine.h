@@ -14,21 +14,21 @@
 
 namespace gsim::engine {
 
-/// A frame in another one: roll about Z, pitch about Y, yaw about X, R = Rz Ry Rx.
+/// A frame relative to another one: roll about Z, pitch about Y, yaw about X, R = Rz Ry Rx.
 struct FramePose {
     std::array<double, 3> origin_mm = {};
     std::array<double, 3> rpy_deg = {};
 };
 
-/// What was found of a machine without a program.
+/// The check results of a machine without a program.
 struct MachineCheck {
     bool clean = true;
     std::string json;
-    std::string text;  ///< For people, in whole lines.
+    std::string text;  ///< For people, in full lines.
 };
 
 enum class EnvelopeKind : std::uint8_t {
-    volume_stl,    ///< What the tool's tip can reach, as a surface.
+    volume_stl,    ///< The volume that the TCP can reach, as a surface.
     outlines_csv,  ///< For each pair of joints.
     outlines_svg,
 };
@@ -36,37 +36,37 @@ enum class EnvelopeKind : std::uint8_t {
 /// A machine, and the bodies around it.
 class GSIM_API Machine {
   public:
-    /// The machine of a request: what it says of machine, machine data, cell and collisions.
+    /// Returns the machine of a request: its values for machine, machine data, cell and collisions.
     static tl::expected<Machine, Failure> read(const Request& request);
-    /// Reads the bodies that runs look at, the meshes of machine and cell.
+    /// Reads the bodies that runs check, the meshes of machine and cell.
     tl::expected<void, Failure> read_bodies();
     Machine(Machine&&) noexcept;
     Machine& operator=(Machine&&) noexcept;
     ~Machine();
 
-    /// What of a control's settings is not taken over, in sentences.
+    /// Returns messages about the controller's settings that are not imported.
     const std::vector<std::string>& notes() const;
-    /// The machine file, which the request or the cell names; empty: the one built in.
+    /// Returns the machine file that the request or the cell names; empty: the built-in one.
     const std::string& machine_file() const;
-    /// Of machine data, which the request or the cell names; empty: none.
+    /// Returns the file of machine data that the request or the cell names; empty: none.
     const std::string& machine_data_file() const;
-    /// The language that it reads, as the machine file says; empty: it does not.
+    /// Returns the language that it reads, as the machine file says; empty: not specified.
     const std::string& dialect() const;
-    /// As a machine file.
+    /// Returns the machine as a machine file.
     std::string file() const;
-    /// Where a frame or an object of the cell stands in the work frame, behind read_bodies(). The error:
-    /// there is none of that name, or it does not go along with the work.
+    /// Returns the pose of a frame or an object of the cell in the work frame, after read_bodies(). The
+    /// error: none has that name, or it does not move with the work.
     tl::expected<FramePose, Failure> frame_in_work(const std::string& name) const;
 
-    /// Limits, inverse, singular ranges, collisions of its bodies whatever the joints do.
+    /// Checks limits, inverse, singular ranges, and collisions of its bodies for all joint values.
     tl::expected<MachineCheck, Failure> check() const;
-    /// What the tip reaches; how exact it is, envelope_summary() tells behind it.
+    /// Returns the reach of the TCP; envelope_summary() returns its accuracy afterwards.
     tl::expected<std::string, Failure> envelope(EnvelopeKind kind);
     std::string envelope_summary() const;
-    /// A picture (SVG) of which way each axis moves the tool.
+    /// Returns a picture (SVG) of the direction in which each axis moves the tool.
     tl::expected<std::string, Failure> axes_svg() const;
 
-    /// For the library itself.
+    /// For internal use.
     struct Parts;
     const Parts& parts() const;
 

@@ -8,10 +8,10 @@
 
 namespace gsim::engine {
 
-/// All that keeps the machine of a request, and its cell, from being read, each with its place: the faults of
-/// the machine file or, where it has none, those of the cell file. What can be told only of a file without
-/// other faults (whether there is an inverse of such axes) waits until these are gone. Empty where
-/// Machine::read() and read_bodies() work.
+/// Returns all errors that prevent reading the machine of a request, and its cell, each with its source
+/// location: the errors of the machine file or, if it has none, those of the cell file. Some checks need a
+/// file without other errors (such as the existence of an inverse for such axes) and wait until these are
+/// fixed. Empty if Machine::read() and read_bodies() work.
 GSIM_API std::vector<Diagnostic> find_machine_faults(const Request& request);
 
 }  // namespace gsim::engine

@@ -15,12 +15,12 @@ namespace gsim::engine {
 struct CuttingMaterial {
     std::string name = {};
     double machinability = 0;  ///< Without unit: the higher, the faster it is cut.
-    std::string like = {};     ///< The material whose machinability it has; empty: it has its own.
+    std::string like = {};     ///< The material with the same machinability; empty: it has its own.
     bool measured = false;     ///< The machinability follows from a cut that was tried.
-    std::string source = {};   ///< Where the number is from; may be empty.
+    std::string source = {};   ///< Source of the number; may be empty.
 };
 
-/// The materials of a file as CuttingChoice::materials names it, in its order.
+/// Returns the materials of a file as CuttingChoice::materials names it, in its order.
 GSIM_API tl::expected<std::vector<CuttingMaterial>, Failure> cutting_materials(const Host& host,
                                                                                const std::string& file = {});
 

@@ -17,10 +17,10 @@ struct Machine;
 
 namespace gsim::engine {
 
-/// The most axes that a machine may have.
+/// The max number of axes of a machine.
 inline constexpr std::size_t kMostAxes = 16;
-/// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. What is
-/// behind the last axis is 0.
+/// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. Values after
+/// the last axis are 0.
 using AxisValues = std::array<double, kMostAxes>;
 
 /// An axis of the machine.
@@ -37,12 +37,12 @@ enum class MoveKind : std::uint8_t {
 /// A circle or helix of the tool, about `axis` by the right hand.
 struct Arc {
     std::array<double, 3> center_mm = {};  ///< X, Y, Z in machine coordinates.
-    std::array<double, 3> axis = {};       ///< Of unit length.
+    std::array<double, 3> axis = {};       ///< Axis of unit length.
     double radius_mm = 0;                  ///< At the start.
     double sweep_rad = 0;                  ///< More than 2 pi for several turns.
 };
 
-/// A move of the program as it was made.
+/// An executed move of the program.
 struct Move {
     std::uint64_t n = 0;  ///< Number of the move, from 1.
     MoveKind kind = MoveKind::rapid;
@@ -52,9 +52,9 @@ struct Move {
     std::uint32_t line = 0;      ///< From 1; 0: not known.
     double start_s = 0;
     double end_s = 0;
-    double length_mm = 0;     ///< Of the tool's path.
+    double length_mm = 0;     ///< Length of the tool's path.
     double feed_per_min = 0;  ///< As programmed, mm/min or deg/min; 0 in rapids and dwells.
-    double deviation_mm = 0;  ///< How far the tool passes from its corners where they are rounded.
+    double deviation_mm = 0;  ///< Distance of the tool from its corners if they are rounded.
     AxisValues end = {};
     Arc arc = {};
 };
@@ -64,7 +64,7 @@ enum class SegmentKind : std::uint8_t {
 #include "base/kinds/segment_kind.def"
 };
 
-/// One finished piece of motion: a path and a law of time in closed form. Valid in the call alone.
+/// A finished part of motion: a path and a law of time in closed form. Valid in the call alone.
 class GSIM_API Segment {
   public:
     Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t in_line, bool on);
@@ -74,16 +74,15 @@ class GSIM_API Segment {
     std::uint32_t line = 0;
     double start_s = 0;
     double duration_s = 0;
-    double length_mm = 0;  ///< Of the tool's path.
+    double length_mm = 0;  ///< Length of the tool's path.
     AxisValues start = {};
     AxisValues end = {};
 
-    /// `t_s` counts from the segment's start; both are exact.
+    /// Returns axis values; `t_s` counts from the segment's start. Both are exact.
     AxisValues axes_at(double t_s) const;
     double speed_mm_s(double t_s) const;
-    /// The greatest share of its own limit (max_speed of the machine file) that the speed of an axis comes
-    /// to; 0 where none has a limit. Exact on straight ways, on others the greatest of nine instants of each
-    /// smooth part.
+    /// Returns the largest axis speed as a share of the axis limit (max_speed of the machine file); 0 if no
+    /// axis has a limit. Exact on straight paths, on others the largest of nine instants of each smooth part.
     double peak_axis_speed_share() const;
 
   private:
@@ -94,13 +93,13 @@ class GSIM_API Segment {
 /// An instant of the run.
 struct Sample {
     double t_s = 0;
-    double speed_mm_s = 0;  ///< Of the tool along its path.
+    double speed_mm_s = 0;  ///< Speed of the tool along its path.
     std::uint32_t line = 0;
     AxisValues axes = {};
 };
 
-/// Take what a run has made since the last call, in the order of time: moves and segments as they become
-/// final, so that no more is held than a chunk.
+/// Receive the results of a run since the last call, in the order of time: moves and segments when they
+/// become final, so that at most a chunk is held.
 using TakeMoves = std::function<void(std::span<const Move>)>;
 using TakeSegments = std::function<void(std::span<const Segment>)>;
 using TakeSamples = std::function<void(std::span<const Sample>)>;

@@ -18,45 +18,45 @@ enum class RunStatus : std::uint8_t {
 #include "base/kinds/run_status.def"
 };
 
-/// "completed", ...
+/// Returns "completed", ...
 GSIM_API std::string_view name(RunStatus status);
 
-/// A place in a source; line 0: not known.
+/// A source location; line 0: not known.
 struct Place {
     std::string file = {};
     std::uint32_t line = 0;
 };
 
-/// A call of a program that had not ended.
+/// A program call that had not ended.
 struct OpenCall {
     std::string program;  ///< "O2"
-    Place place = {};     ///< Of the call.
+    Place place = {};     ///< Location of the call.
 };
 
-/// Why a run did not complete.
+/// The reason why a run did not complete.
 struct Alarm {
     std::string code;  ///< As Diagnostic::code.
     std::string message;
     Place place = {};
     std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
-    char axis = 0;                     ///< Letter, where one axis is to blame.
-    std::optional<double> value = {};  ///< Of that axis, mm or deg.
+    char axis = 0;                     ///< Letter, if one axis is the cause.
+    std::optional<double> value = {};  ///< Value of that axis, mm or deg.
     std::optional<double> limit = {};  ///< That it passed, mm or deg.
 };
 
-/// An axis past its range, or a tool where a zone does not allow it; the run went on.
+/// An axis beyond its range, or a tool in a zone that forbids it; the run continued.
 struct Violation {
     double t_s = 0;
     Place place = {};
     std::string message = {};
-    std::string zone = {};  ///< Its name; empty where the range of an axis is passed.
+    std::string zone = {};  ///< Its name; empty for the range of an axis.
     char axis = 'X';
     bool rotary = false;  ///< Values are in deg, else in mm.
     double value = 0;
     double limit = 0;
 };
 
-/// Two bodies begin to touch.
+/// The first contact of two bodies.
 struct Collision {
     double t_s = 0;
     Place place = {};
@@ -71,7 +71,7 @@ struct Event {
     std::string detail = {};
 };
 
-/// Of an axis of the machine: what it reached, and what it may; mm or deg.
+/// The range of a machine axis: the reached values and the limits; mm or deg.
 struct AxisRange {
     char letter = 'X';
     bool rotary = false;
@@ -79,18 +79,18 @@ struct AxisRange {
     double limit_min = 0, limit_max = 0;
 };
 
-/// What a run did. Figures that people ask for are fields; json() and text() have everything
+/// The results of a run. Frequently needed values are fields; json() and text() have everything
 /// (docs/report.md).
 struct GSIM_API Report {
-    /// For the library itself.
+    /// For internal use.
     struct Whole;
 
     std::string program = {};
     std::string machine = {};
     RunStatus status = RunStatus::completed;
-    std::optional<Alarm> alarm = {};  ///< Also why a run was stopped.
+    std::optional<Alarm> alarm = {};  ///< Also the reason for a stop.
     double cycle_time_s = 0;
-    /// Between these it is with a probability of 95 %, where the machine file tells how it was fitted.
+    /// Interval with a probability of 95 %, if the machine file says how it was fitted.
     struct Interval {
         double least_s = 0;
         double most_s = 0;
@@ -102,30 +102,31 @@ struct GSIM_API Report {
     std::uint64_t moves = 0;
     std::vector<AxisRange> ranges = {};
     std::vector<Violation> violations = {};  ///< The first ones by time.
-    std::uint64_t violation_count = 0;       ///< Of all.
+    std::uint64_t violation_count = 0;       ///< Number of all.
     std::vector<Collision> collisions = {};
-    std::uint64_t process_findings = 0;  ///< What a program should not do: a rapid with the jet on, ...
+    std::uint64_t process_findings = 0;  ///< Process errors of a program: a rapid with the jet on, ...
     std::vector<Event> events = {};
     std::vector<std::string> warnings = {};
-    std::vector<Diagnostic> diagnostics = {};  ///< All that there is to tell, the above among it, in the
-                                               ///< order of docs/diagnostics.md.
-    std::string robot = {};                    ///< Whose it is, where there are several.
-    std::vector<Report> robots = {};           ///< Of a run of several: what each did; the rest is of all.
+    std::vector<Diagnostic> diagnostics =
+        {};                  ///< All diagnostics, including those above, in the order of docs/diagnostics.md.
+    std::string robot = {};  ///< Name of the robot, if the run has several.
+    std::vector<Report> robots = {};  ///< Reports of several robots; the other fields are of all.
     std::shared_ptr<const Whole> whole = nullptr;
 
-    /// Nothing went wrong: it completed, within limits and zones, and nothing touched.
+    /// Returns true if the run completed, within limits and zones, and nothing touched.
     bool is_clean() const;
-    /// Of a check: clean, and the program does nothing that it should not with the process.
+    /// Returns true if a check passes: clean, and without process errors in the program.
     bool passes_check() const;
-    /// It ended where a file that it needs cannot be read, which is no fault of the program.
+    /// Returns true if the run ended because a required file cannot be read, which is no error of the
+    /// program.
     bool lacks_file() const;
-    /// What went wrong, for people, in whole lines: collisions, violations, why it ended.
+    /// Returns the errors for people, in full lines: collisions, violations, the reason for the end.
     std::string faults_text() const;
-    /// The report as JSON, keys in a fixed order, without a line feed at its end.
+    /// Returns the report as JSON, keys in a fixed order, without a line feed at its end.
     std::string json() const;
-    /// A compact table for people, in whole lines.
+    /// Returns a compact table for people, in full lines.
     std::string text() const;
-    /// The same report, with one more diagnostic of the program's text or of outputs.
+    /// Returns the same report, with one more diagnostic of the program's text or of outputs.
     Report with(const Diagnostic& diagnostic) const;
 };
 

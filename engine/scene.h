@@ -5,12 +5,12 @@
 
 namespace gsim::engine {
 
-/// What stands in a run's world, for whoever draws it (docs/studio.md has the keys).
+/// The objects in a run's world, for programs that draw them (docs/studio.md has the keys).
 struct Scene {
-    /// As JSON: the machine's axes and its chain of joints, bodies and the frames they stand in, zones, and,
-    /// behind a run, how frames went by themselves.
+    /// As JSON: the machine's axes and its chain of joints, bodies and their frames, zones, and, after a run,
+    /// the independent motion of frames.
     std::string json;
-    /// Surfaces that bodies name by their index: nine coordinates (mm, in the body's frame) for a triangle.
+    /// Surfaces that bodies reference by index: nine coordinates (mm, in the body's frame) for a triangle.
     std::vector<std::vector<float>> meshes_mm;
 };
 

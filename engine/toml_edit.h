@@ -11,19 +11,18 @@
 
 namespace gsim::engine {
 
-/// A file of TOML (of a machine, a cell, a controller) after changes.
+/// A TOML file (of a machine, a cell, a controller) after changes.
 struct EditedToml {
     std::string text;
     std::string json;  ///< All that it says; dates, and numbers that are not finite, as texts.
 };
 
-/// The text of a file after changes, all of them or none; a name that no file has is an empty one. What
-/// changes do not touch stays as it was written: comments, order, spacing, spellings of numbers, line ends.
+/// Returns the text of a file after changes, all of them or none; a missing file counts as an empty one.
+/// Unchanged parts stay as they were written: comments, order, spacing, spellings of numbers, line ends.
 /// `changes` are JSON, a list of {"op": "set", "at": ["axis", 0, "max_mm"], "value": 600}, {"op": "add",
 /// "at": ["object"], "value": {...}}, {"op": "remove", "at": [...]} and {"op": "move", "at": ["axis", 2],
-/// "to": 0}. Keys of
-/// new tables are put in the order in which docs/machine-file.md and docs/cell-file.md tell of them. Where
-/// the file is no TOML `tell` gets the place. The file itself is not written.
+/// "to": 0}. Keys of new tables are inserted in the order of docs/machine-file.md and docs/cell-file.md. If
+/// the file is no TOML, `tell` receives the source location. The file itself is not written.
 GSIM_API tl::expected<EditedToml, Failure> edited_toml(const Host& host, const std::string& name,
                                                        std::string_view changes, const Tell& tell = {});
 

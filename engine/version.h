@@ -4,7 +4,7 @@
 
 namespace gsim::engine {
 
-/// "0.1.0"
+/// Returns "0.1.0".
 GSIM_API const char* version();
 
 }  // namespace gsim::engine

@@ -14,7 +14,7 @@ namespace {
 
 struct Control {
     std::string_view name;
-    std::string_view dialect;  // Empty: none of ours is near.
+    std::string_view dialect;  // Empty: no similar dialect.
     std::string_view caution;
 };
 
@@ -72,7 +72,7 @@ constexpr std::array kControls{
     Control{"okuma", "", "the language of OSP controls (VC1=, CALL O1, NLAP) is not read"},
 };
 
-// Letters and digits alone, in lower case.
+// Returns letters and digits alone, in lower case.
 std::string bare(std::string_view name) {
     std::string out;
     for (const char c : name) {

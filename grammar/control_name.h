@@ -10,22 +10,23 @@
 
 namespace gsim::grammar {
 
-/// What the name of a dialect, or of a control, means.
+/// Meaning of the name of a dialect, or of a controller.
 struct ControlName {
     const Dialect* dialect = nullptr;
-    /// Where the control's own language is only near to the dialect: what to mind, as a sentence. Else empty.
+    /// Message with the differences if the controller's own language is only similar to the dialect. Else
+    /// empty.
     std::string caution = {};
 };
 
-/// The dialect for programs of a control, by names as people write them: "linuxcnc", "Allen-Bradley",
+/// Returns the dialect for programs of a controller, by common names: "linuxcnc", "Allen-Bradley",
 /// "9/Series", "haas". Upper and lower case, blanks, dots, dashes and slashes do not count. The error is a
-/// sentence.
+/// message.
 tl::expected<ControlName, std::string> control_named(std::string_view name);
 
-/// All names, the dialects' own first.
+/// Returns all names, the dialects' own first.
 std::vector<std::string> control_names();
 
-/// A table of the names for the documentation: control, dialect, what to mind.
+/// Returns a table of the names for the documentation: controller, dialect, differences.
 std::string control_table();
 
 }  // namespace gsim::grammar

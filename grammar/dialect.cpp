@@ -117,7 +117,7 @@ const Dialect* dialect_named(std::string_view name) {
 
 namespace {
 
-/// "G1" of G1 and G1.5; asked for with each code of a program.
+/// Returns "G1" for G1 and G1.5; called for each code of a program.
 std::string whole_name(const Code& code) {
     std::string name(1, code.letter);
     name += std::to_string(code.code_x10 / 10);

@@ -12,7 +12,7 @@
 
 namespace gsim::grammar {
 
-/// Modal groups: of one group a block takes one code, and the last one given stays in force.
+/// Modal groups: a block accepts one code of each group, and the last one given stays active.
 enum class Group : std::uint8_t {
     none,
     motion,
@@ -54,20 +54,20 @@ enum class Group : std::uint8_t {
 inline constexpr std::size_t kGroupCount = 35;
 std::string_view name(Group group);
 
-/// What a code does with the axis words of its block.
+/// Use of the axis words of a block by a code.
 enum class AxisUse : std::uint8_t { none, motion, data };
 
-/// Whether the library does what the code means. `bare_only`: only without words, where it switches off what
+/// Support of a code in the library. `bare_only`: only without words, because it switches off something that
 /// cannot be on; with words it is `later`.
 enum class Support : std::uint8_t { full, bare_only, later };
 
-/// What becomes of a code while cutter compensation is on: it acts as ever, or is refused, always or only
-/// while the tool runs beside the path (RS274/NGC lets a radius of 0 pass); the tool is led out before it and
-/// in again behind it (9/Series); or the move before it ends first, whatever corner follows (RS274/NGC).
+/// Effect of cutter compensation on a code. It acts as usual, or is rejected, always or only while the tool
+/// runs next to the path (RS274/NGC permits a radius of 0). Or the tool is led out before it and in again
+/// after it (9/Series). Or the move before it ends first, whatever corner follows (RS274/NGC).
 enum class Compensation : std::uint8_t { allowed, refused, refused_beside_path, led_out, ends_move };
 
-/// When in its block a code acts, here in the order of the 9/Series; another dialect has its own
-/// (Dialect::rank). Words of one phase act in the order in which they stand.
+/// Time in its block at which a code acts, here in the order of the 9/Series; another dialect has its own
+/// (Dialect::rank). Words of one phase act in their order in the block.
 enum class Phase : std::uint8_t {
     plane,
     units,
@@ -96,30 +96,30 @@ enum class Phase : std::uint8_t {
     input_output,
 };
 inline constexpr std::size_t kPhaseCount = 25;
-/// What is done in a phase, in words.
+/// Returns a description of the actions of a phase.
 std::string_view name(Phase phase);
 
-/// One row of a dialect's table.
+/// Row of a dialect's table.
 struct Code {
     char letter;            ///< 'G' or 'M'
     std::int32_t code_x10;  ///< 921: G92.1
     Group group;
     Phase phase;
     AxisUse axes;
-    std::string_view
-        words;  ///< Letters it takes besides axis words, '=' for AR=, '1' for I1= J1= K1=, ',' for ,C ,R ,A.
+    std::string_view words;  ///< Letters it accepts in addition to axis words, '=' for AR=, '1' for I1= J1=
+                             ///< K1=, ',' for ,C ,R ,A.
     Support support;
     std::string_view meaning;  ///< As messages and documents say it.
     Compensation compensation = Compensation::allowed;
 };
 
-/// What a letter, or a longer address, means.
+/// Meaning of a letter, or of a longer address.
 struct Letter {
     std::string_view address;
     std::string_view meaning;
 };
 
-/// A command with a name in place of a letter and a number, whose parameters are NAME=VALUE.
+/// Command with a name instead of a letter and a number. Its parameters are NAME=VALUE.
 struct ExtendedCommand {
     std::string_view name;
     std::string_view parameters;  ///< Those that are numbers, between blanks,
@@ -127,22 +127,22 @@ struct ExtendedCommand {
     std::string_view meaning;
 };
 
-/// What a dialect's table says besides its codes.
+/// Rules of a dialect's table in addition to its codes.
 struct DialectRules {
     std::string_view name;             ///< As --dialect has it.
     std::string_view title;            ///< As people call it.
-    lexer::Style style;                ///< How its text is read.
-    std::string_view lua_module;       ///< What its scripts require.
-    std::string_view alone = {};       ///< Letters that are words by themselves, where no code takes them.
-    std::string_view move_words = {};  ///< Letters that a modal motion may take besides axis words.
+    lexer::Style style;                ///< Style of its text.
+    std::string_view lua_module;       ///< Module that its scripts require.
+    std::string_view alone = {};       ///< Letters that are words by themselves, if no code accepts them.
+    std::string_view move_words = {};  ///< Letters that a modal motion accepts in addition to axis words.
     std::string_view initial;          ///< Codes in force when a program begins, between blanks.
     std::span<const Letter> letters;
     std::span<const Phase> order =
-        {};  ///< Execution order in a block; phases that are not listed keep theirs behind.
+        {};  ///< Execution order in a block; phases that are not listed come after them.
     std::span<const ExtendedCommand> extended = {};
 };
 
-/// A language of part programs: its codes, by table.
+/// Language of part programs: its codes, by table.
 class Dialect {
   public:
     Dialect(const DialectRules& rules, std::span<const Code> codes);
@@ -150,9 +150,9 @@ class Dialect {
     std::string name() const { return std::string(rules_.name); }
     std::string_view title() const { return rules_.title; }
     const DialectRules& rules() const { return rules_; }
-    /// Phases of a block act in ascending order of this.
+    /// Returns the rank of a phase: phases of a block act in ascending order of it.
     int rank(Phase phase) const { return ranks_[static_cast<std::size_t>(phase)]; }
-    /// The row of a code, or null where the dialect has no such code.
+    /// Returns the row of a code, or null if the dialect has no such code.
     const Code* find(char letter, std::int32_t code_x10) const;
     std::span<const Code> codes() const { return codes_; }
 
@@ -160,23 +160,23 @@ class Dialect {
     DialectRules rules_;
     std::span<const Code> codes_;
     std::array<int, kPhaseCount> ranks_;
-    std::vector<std::uint16_t> index_;  // by letter and number; 0: none, else row + 1
+    std::vector<std::uint16_t> index_;  // by letter and number; 0: no code, else row + 1
 };
 
-/// Allen-Bradley 9/Series, with the codes of the thesis (Appendix C and E).
+/// Returns Allen-Bradley 9/Series, with the codes of the thesis (Appendix C and E).
 const Dialect& dialect_ab9();
-/// RS274/NGC as LinuxCNC 2.9 has it.
+/// Returns RS274/NGC as in LinuxCNC 2.9.
 const Dialect& dialect_rs274ngc();
-/// Klipper, as klippy reads it.
+/// Returns Klipper, as klippy reads it.
 const Dialect& dialect_klipper();
-/// All of them.
+/// Returns all dialects.
 std::span<const Dialect* const> dialects();
-/// The dialect with this name ("ab9", "rs274ngc", "klipper"), or null.
+/// Returns the dialect with this name ("ab9", "rs274ngc", "klipper"), or null.
 const Dialect* dialect_named(std::string_view name);
 
-/// "G92.1", "M8": the code as people write it.
+/// Returns the usual name of a code: "G92.1", "M8".
 std::string code_name(const Code& code);
-/// "G92_1", "M8", "M[101]": the function of the Lua library.
+/// Returns the function of the Lua library: "G92_1", "M8", "M[101]".
 std::string lua_name(const Code& code);
 
 }  // namespace gsim::grammar

@@ -14,8 +14,8 @@ using P = Phase;
 using A = AxisUse;
 using C = Compensation;
 
-// One row a code; its meaning in force is in lua_lib/. Groups after the 9/Series, where G00 and G80 are in
-// two.
+// One row per code; its meaning is implemented in lua_lib/. The groups follow the 9/Series, which has G00 and
+// G80 in two.
 constexpr std::array kFixedCodes = {
     Code{'G', 0, motion, P::motion, A::motion, "", full, "rapid positioning"},
     Code{'G', 10, motion, P::motion, A::motion, ",", full, "linear interpolation"},

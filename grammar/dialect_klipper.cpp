@@ -13,7 +13,7 @@ using enum Support;
 using P = Phase;
 using A = AxisUse;
 
-// After Klipper's "G-Codes" page and what klippy does (2026). E is the extruder, F in mm/min.
+// According to Klipper's "G-Codes" page and the code of klippy (2026). E is the extruder, F in mm/min.
 constexpr std::array kCodes = {
     Code{'G', 0, motion, P::motion, A::motion, "EF", full, "linear move, as G1"},
     Code{'G', 10, motion, P::motion, A::motion, "EF", full, "linear move"},

@@ -14,8 +14,8 @@ using P = Phase;
 using A = AxisUse;
 using C = Compensation;
 
-// Modal groups, words and order of execution after the LinuxCNC 2.9 documentation ("G Codes", "M Codes",
-// "RS274/NGC Programming Overview: Modal Groups, Order of Execution").
+// Modal groups, words and order of execution according to the LinuxCNC 2.9 documentation ("G Codes", "M
+// Codes", "RS274/NGC Programming Overview: Modal Groups, Order of Execution").
 constexpr std::array kFixedCodes = {
     Code{'G', 0, motion, P::motion, A::motion, "", full, "rapid move"},
     Code{'G', 10, motion, P::motion, A::motion, "", full, "linear move"},

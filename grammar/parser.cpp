@@ -35,7 +35,7 @@ int Parser::scan(Value& value) {
 
 namespace {
 
-/// What the parser stumbled over, in words.
+/// Describes the token at which the parser failed.
 std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
     switch (lexer.last_token()) {
         case lexer::kEob:
@@ -98,7 +98,7 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
     return "this is out of place";
 }
 
-/// The first two letters of IF, WHILE, GOTO or END.
+/// Returns true for the first two letters of IF, WHILE, GOTO or END.
 bool begins_macro_keyword(lexer::Address first, lexer::Address second) {
     return (first == 'I' && second == 'F') || (first == 'W' && second == 'H') ||
            (first == 'G' && second == 'O') || (first == 'E' && second == 'N');
@@ -108,7 +108,7 @@ bool is_variable(Token token) {
     return token == lexer::kVariable || token == lexer::kNamedVariable;
 }
 
-/// What is right behind `X#1`, so that a variable before it was no value.
+/// Returns true for a token that may directly follow `X#1`, so that a variable before it was no value.
 bool may_follow_value(Token token) {
     return token == lexer::kEob || is_variable(token) ||
            (token >= lexer::kAxis && token <= lexer::kOtherLetter && token != lexer::kDwell &&
@@ -126,7 +126,7 @@ void Parser::syntax_error() {
     lexer::BlockText& text = *block_.text;
     if (text.bad) return;  // the scanner has said it all
     if (opens_word(lexer_.previous_token())) {
-        // A letter behind a letter has opened a word of its own.
+        // A letter after a letter has opened a word of its own.
         const std::size_t later = opens_word(lexer_.last_token()) ? 1 : 0;
         const lexer::Word& word = text.words[lexer_.open_word_index() - later];
         const bool keyword =
@@ -223,7 +223,7 @@ void Parser::set_flow_program() {
 
 namespace {
 
-/// How many values stand behind a keyword.
+/// Number of values after a keyword.
 struct FlowShape {
     std::size_t least;
     std::size_t most;

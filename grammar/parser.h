@@ -8,26 +8,27 @@
 
 namespace gsim::grammar {
 
-/// Takes the blocks of a program one at a time; a block and its text are gone after the call.
+/// Consumer of the blocks of a program, one at a time; a block and its text are gone after the call.
 class BlockSink {
   public:
     virtual ~BlockSink() = default;
-    /// `block.text->bad`: an error has been reported, the rest of the block may be incomplete.
+    /// Processes a block. `block.text->bad`: an error has been reported, the remainder of the block may be
+    /// incomplete.
     virtual void take(const Block& block) = 0;
 };
 
-/// The GLR parser over a whole source: reads, builds one block, hands it on, empties it.
+/// GLR parser over a full source: reads, builds one block, passes it on, empties it.
 class Parser {
   public:
     Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& sink);
 
-    /// Reads to the end of the source, or until there are too many errors. False where the parser itself gave
-    /// up, which the scanner's bounds should not let happen; it is reported as an error.
+    /// Reads to the end of the source, or until too many errors occurred. Returns false if the parser itself
+    /// gave up, which the scanner's limits should prevent; it is reported as an error.
     bool run();
-    /// As run(), but ends after the block for which `done` is true.
+    /// Runs like run(), but ends after the block for which `done` is true.
     bool run_until(std::function<bool()> done);
 
-    // What the actions of the grammar call; columns and indices come from token values.
+    // Called by the actions of the grammar; columns and indices come from token values.
     int scan(lexer::Value& value);
     void syntax_error();
     void finish_block();
@@ -54,7 +55,8 @@ class Parser {
     std::uint32_t add_named(lexer::Value name);
     std::uint32_t add_number(lexer::Value number);
     std::uint32_t add_variable(lexer::Value variable);
-    /// RS274/NGC: the parameter whose number is a value with a sign, or of a function: #-[-3], #ATAN[1]/[1].
+    /// Adds the parameter of RS274/NGC that has a signed value, or a function, as its number: #-[-3],
+    /// #ATAN[1]/[1].
     std::uint32_t add_unbracketed_index(lexer::Value number);
     std::uint32_t add_node(NodeKind kind, Operator op, lexer::Value left,
                            std::optional<lexer::Value> right = {});

@@ -25,7 +25,7 @@ enum class NodeKind : std::uint8_t {
     exists,    ///< EXISTS[..]: `left` is a variable.
 };
 
-/// A node of an expression; children are indices into Block::nodes, or -1.
+/// Node of an expression; children are indices into Block::nodes, or -1.
 struct Node {
     NodeKind kind = NodeKind::number;
     Operator op = Operator::add;
@@ -41,7 +41,7 @@ struct Assignment {
 };
 
 enum class BlockKind : std::uint8_t {
-    words,        ///< Words, perhaps none.
+    words,        ///< Words, possibly zero.
     assignments,  ///< #1=.. and so on.
     if_goto,      ///< `condition`, `target`
     if_then,      ///< `condition`, and words or assignments
@@ -61,7 +61,7 @@ struct Block {
     bool has_program = false;
     std::optional<std::uint32_t> sequence;  ///< N
     std::uint8_t skip_level = 0;            ///< /n, 0 without
-    std::uint32_t prefix_column = 0;        ///< Of the control word, N or / that a message may point at.
+    std::uint32_t prefix_column = 0;        ///< Column of the control word, N or / for messages.
     std::vector<Node> nodes;
     std::vector<Assignment> assignments;
     std::int32_t condition = -1;
@@ -71,7 +71,7 @@ struct Block {
     std::uint32_t loop_column = 0;
     lexer::Print print = lexer::Print::text;
     Flow flow = Flow::program;
-    std::int32_t flow_node = -1;  ///< The O-word's name where it is an expression; else it is text->program.
+    std::int32_t flow_node = -1;  ///< The O-word's name if it is an expression; else it is text->program.
     std::uint32_t flow_column = 0;
     std::vector<std::int32_t> arguments;
 
@@ -79,13 +79,13 @@ struct Block {
     const Node& node(std::int32_t index) const { return nodes[static_cast<std::size_t>(index)]; }
 };
 
-/// True for a block that says nothing: a tape mark, or no program name and no word.
+/// Returns true for a block without content: a tape mark, or no program name and no word.
 bool is_blank(const Block& block);
 
-/// True where the node's value is a truth value: a comparison, or AND, OR, XOR of two such.
+/// Returns true if the node's value is a truth value: a comparison, or AND, OR, XOR of two such.
 bool is_condition(const Block& block, std::int32_t index);
 
-/// True where the expression at `index` reads a parameter, or asks whether one exists.
+/// Returns true if the expression at `index` reads a parameter, or checks if one exists.
 bool reads_parameter(const Block& block, std::int32_t index);
 
 }  // namespace gsim::grammar

@@ -10,8 +10,8 @@
 
 namespace gsim::lexer {
 
-/// Names that stand for a word of the language, such as WaterJetOn for M08 (the controller's machine data).
-/// Names are told apart without regard to case, as all of the language.
+/// Names for a word of the language, such as WaterJetOn for M08 (the controller's machine data). Names are
+/// case-insensitive, like the full language.
 class Aliases {
   public:
     struct Word {
@@ -19,23 +19,23 @@ class Aliases {
         std::string number;  ///< Digits as given.
     };
 
-    /// Adds one. The error says what is wrong with the name (letters, digits, `_`; a letter first; at least
-    /// two characters) or with the word (one letter and a number).
+    /// Adds one. The error describes what is invalid in the name (letters, digits, `_`; a letter first; at
+    /// least two characters) or in the word (one letter and a number).
     std::optional<std::string> add(std::string_view name, std::string_view word);
 
-    /// The word of a name, or null.
+    /// Returns the word of a name, or null.
     const Word* find(std::string_view name) const;
-    /// True where some name stands for this letter and whole number.
+    /// Returns true if some name means this letter and integer.
     bool stand_for(char letter, int number) const;
-    /// The known name that `name` most likely meant, or an empty text.
+    /// Returns the known name that `name` most likely meant, or an empty text.
     std::string nearest(std::string_view name) const;
 
   private:
     std::map<std::string, Word, std::less<>> words_;  // by name in upper case
 };
 
-/// Of `candidates` the one with the smallest edit distance to `name`, if that is at most 2, at most half of
-/// the name's length, and less than it.
+/// Returns the one of `candidates` with the smallest edit distance to `name`. The distance must be at most 2,
+/// at most half of the name's length, and less than it.
 template <typename Range>
 std::string nearest_name(std::string_view name, const Range& candidates);
 

@@ -5,12 +5,12 @@
 
 namespace gsim::lexer {
 
-/// A blank inside of a line.
+/// Returns true for a blank inside of a line.
 constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Nearly every word has none, so the one comparison that tells comes first.
+/// Nearly every word has no blanks, so the one comparison that decides comes first.
 inline bool has_blanks(std::string_view text) {
     for (const char c : text) {
         if (c <= ' ' && is_blank(c)) return true;

@@ -6,9 +6,9 @@
 
 namespace gsim::lexer {
 
-/// What std::malloc() and std::realloc() gave, for the scanner and the parser, whose generated code would end
-/// the program, or take what is missing for the end of its input. Where they gave nothing, the same is done
-/// as operator new does: the handler of the program is called, or std::bad_alloc thrown.
+/// Checks the result of std::malloc() and std::realloc() for the scanner and the parser. Their generated code
+/// would end the program, or treat the missing part as the end of its input. If the result is null, acts like
+/// operator new: the handler of the program is called, or std::bad_alloc thrown.
 inline void* checked(void* memory) {
     if (memory != nullptr) return memory;
     if (const std::new_handler handler = std::get_new_handler(); handler != nullptr) handler();

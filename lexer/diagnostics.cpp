@@ -9,7 +9,7 @@ namespace gsim::lexer {
 
 namespace {
 
-/// How much of a long line a message shows, in bytes.
+/// Length of the part of a long line that a message shows, in bytes.
 constexpr std::size_t kShownBytes = 160;
 
 bool is_control(char c) {
@@ -17,7 +17,7 @@ bool is_control(char c) {
     return byte < 0x20 || byte == 0x7f;
 }
 
-/// The part of the line around the column and the caret under it.
+/// Returns the part of the line around the column and the caret under it.
 std::string excerpt(const std::string& line, std::size_t column) {
     const std::size_t index = std::min(column > 0 ? column - 1 : 0, line.size());
     const std::size_t begin = index > kShownBytes - 20 ? index - (kShownBytes - 20) : 0;
@@ -29,8 +29,8 @@ std::string excerpt(const std::string& line, std::size_t column) {
     return fmt::format("  {}{}\n  {}{}^\n", begin > 0 ? "..." : "", shown, begin > 0 ? "   " : "", caret);
 }
 
-/// Where the word that begins at `column` ends: a letter or a keyword with the number behind it, or one
-/// character.
+/// Returns the end of the word that begins at `column`: a letter or a keyword with the number after it, or
+/// one character.
 std::uint32_t word_end(std::string_view line, std::uint32_t column) {
     const std::size_t begin = column > 0 ? column - 1 : 0;
     std::size_t end = begin;

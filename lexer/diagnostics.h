@@ -11,7 +11,7 @@
 
 namespace gsim::lexer {
 
-/// A place in a source: where its line begins (byte offset), the line and the column, both from 1.
+/// Position in a source: the start of its line (byte offset), the line and the column, both from 1.
 struct Location {
     std::uint64_t line_begin = 0;
     std::uint32_t line = 0;
@@ -20,13 +20,13 @@ struct Location {
 
 using text::DiagnosticKind;
 
-/// Collects what is wrong with one source.
+/// Collector of the errors and warnings of one source.
 class Diagnostics {
   public:
     using Take = std::function<void(const text::Diagnostic&)>;
 
-    /// `take` gets each diagnostic as soon as it is known, with the line and a caret as its excerpt. After
-    /// `max_errors` errors, one more says so and full() is true.
+    /// Passes each diagnostic to `take` as soon as it is known, with the line and a caret as its excerpt.
+    /// After `max_errors` errors, one more says so and full() is true.
     Diagnostics(const Source& source, std::size_t max_errors, Take take)
         : source_(source), max_errors_(max_errors), take_(std::move(take)) {}
 
@@ -37,7 +37,7 @@ class Diagnostics {
 
     std::size_t error_count() const { return errors_; }
     bool full() const { return errors_ >= max_errors_; }
-    /// The first error; nothing where there was none.
+    /// Returns the first error; no value if no error occurred.
     const std::optional<text::Diagnostic>& first_error() const { return first_error_; }
 
   private:
@@ -51,8 +51,8 @@ class Diagnostics {
     std::optional<text::Diagnostic> first_error_;
 };
 
-/// `text` with control characters (a lone CR, NUL, escapes) written as \xNN, so that it is safe in a message
-/// or behind `--` in Lua, where a CR would end the comment.
+/// Returns `text` with control characters (a lone CR, NUL, escapes) written as \xNN. So it is safe in a
+/// message or after `--` in Lua, where a CR would end the comment.
 std::string printable(std::string_view text);
 
 }  // namespace gsim::lexer

@@ -39,7 +39,7 @@ Token Lexer::next(Value& value) {
     value = {};
     previous_ = last_;
     previous_column_ = token_column_;
-    if (is_ngc() && tape_marks_ == 2) return last_ = kEnd;  // what stands behind the tape's end is not read
+    if (is_ngc() && tape_marks_ == 2) return last_ = kEnd;  // text after the tape's end is not read
     last_ = scan_token(value, scanner_);
     if (dos_file_ended_ && last_ != kEob && last_ != kEnd)
         fail(token_column_, DiagnosticKind::syntax,
@@ -64,13 +64,14 @@ void Lexer::start_block() {
 }
 
 void Lexer::fail(std::uint32_t column, DiagnosticKind kind, std::string_view message, std::string_view hint) {
-    // What follows the first fault of a block is mostly its consequence.
+    // Errors after the first one of a block are mostly its consequence.
     if (!block_.bad) diagnostics_.error(block_.at(column), kind, message, hint);
     block_.bad = true;
 }
 
-// Lines are cut before they reach flex, whose buffer grows with the longest token: a file without a line end,
-// however long, takes the memory of one line. What was cut is told when the scanner comes to that line's end.
+// Lines are cut before they reach flex, because its buffer grows with the longest token. So a file without a
+// line end, however long, needs the memory of one line. The cut is reported when the scanner reaches that
+// line's end.
 std::size_t Lexer::fill(char* buffer, std::size_t capacity) {
     while (const std::size_t count = source_.read(buffer, capacity)) {
         std::size_t out = 0;

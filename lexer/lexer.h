@@ -14,57 +14,56 @@
 
 namespace gsim::lexer {
 
-/// Bounds of one block, far above what a controller takes, so that no input makes the parser run out of
-/// memory.
+/// Limits of one block, far above those of a controller, so that no input makes the parser run out of memory.
 inline constexpr std::size_t kMaxWords = 500;
 inline constexpr std::size_t kMaxTokens = 2000;
 inline constexpr int kMaxBrackets = 100;
 inline constexpr std::size_t kMaxNumberBytes = 24;
 
-/// The scanner of one source: tokens to the parser, words and comments to the block's arena.
+/// Scanner of one source: passes tokens to the parser, words and comments to the block's arena.
 class Lexer {
   public:
-    /// Everything outlives the lexer. `keep_raw`: BlockText::raw is filled.
+    /// Makes a lexer; all arguments must outlive it. `keep_raw`: BlockText::raw is filled.
     Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, Style style = Style::ab9,
           bool keep_raw = false);
     ~Lexer();
     Lexer(const Lexer&) = delete;
     Lexer& operator=(const Lexer&) = delete;
 
-    /// The next token. After kEob, kTape and kEnd the block is complete.
+    /// Returns the next token. After kEob, kTape and kEnd the block is complete.
     Token next(Value& value);
-    /// The block being read.
+    /// Returns the block being read.
     BlockText& block() { return block_; }
-    /// The parser is done with the block: the next one starts.
+    /// Starts the next block, because the parser is done with this one.
     void start_block();
     /// Reports an error in the block, the first one only, and marks the block as bad.
     void fail(std::uint32_t column, DiagnosticKind kind, std::string_view message,
               std::string_view hint = {});
-    /// The first lines of the source are remarks. Before the first token.
+    /// Treats the first lines of the source as remarks. To be called before the first token.
     void pass_over_leader(std::uint32_t lines) { leader_lines_ = lines; }
-    /// The line that is read.
+    /// Returns the line that is read.
     std::uint32_t line() const { return line_; }
     bool in_leader() const { return line_ <= leader_lines_; }
-    /// RS274/NGC: M2 or M30 has ended the main program; what follows is read only from the next O-word on.
+    /// Ends the main program (RS274/NGC: M2 or M30); the text after it is read only from the next O-word on.
     void end_main_program() { ended_ = true; }
     void resume() { ended_ = false; }
     bool ended() const { return ended_; }
-    /// True before the first token of a block.
+    /// Returns true before the first token of a block.
     bool at_block_start() const { return tokens_ == 0; }
     bool dropping() const { return dropping_; }
     bool is_ngc() const { return style_ == Style::rs274ngc; }
-    /// Column of the token that next() gave last.
+    /// Returns the column of the last token of next().
     std::uint32_t token_column() const { return token_column_; }
     Token last_token() const { return last_; }
-    /// The token before the last one.
+    /// Returns the token before the last one.
     Token previous_token() const { return previous_; }
     std::uint32_t previous_column() const { return previous_column_; }
-    /// Index of the word that was opened last, by a letter whose value is an expression.
+    /// Returns the index of the last word that was opened by a letter with an expression as its value.
     std::size_t open_word_index() const { return open_word_; }
-    /// True once a G04 has been read in this block; for better messages.
+    /// Returns true once a G04 has been read in this block; for better messages.
     bool saw_dwell() const { return saw_dwell_; }
 
-    // The actions of the generated scanner, one for each of its rules; `text` is the token as it stands.
+    // Actions of the generated scanner, one for each of its rules; `text` is the token as in the source.
     std::size_t fill(char* buffer, std::size_t capacity);
     void advance(const char* text, std::size_t size);
     void give_back(std::size_t kept);
@@ -82,8 +81,8 @@ class Lexer {
     Token letter(char c, Value& value);
     Token open_word(Address address, Value& value);
     Token identifier(std::string_view text, std::size_t& kept, Value& value);
-    /// `kept` becomes the length of the name where the next one is joined to it, as blanks mean nothing in
-    /// RS274/NGC.
+    /// Sets `kept` to the length of the name if the next one is joined to it, because blanks have no meaning
+    /// in RS274/NGC.
     Token expression_name(std::string_view text, std::size_t& kept, Value& value);
     Token sequence(std::string_view text, Value& value);
     Token skip(std::string_view text, Value& value);
@@ -93,11 +92,11 @@ class Lexer {
     Token symbol(char c, Value& value);
     Token tape(Value& value);
     bool open_bracket();
-    bool close_bracket();  ///< True where the expression is over.
+    bool close_bracket();  ///< Returns true if the expression is over.
     void start_assignment() { expression_to_end_ = true; }
     bool in_expression() const { return expression_to_end_ || brackets_ > 0; }
     void comment_part(std::string_view text);
-    bool begins_block(std::string_view text) const;  ///< A keyword or an alias, behind ';'.
+    bool begins_block(std::string_view text) const;  ///< True for a keyword or an alias, after ';'.
     void remark_part(std::string_view text);
     Token unknown(std::string_view text);
     void nested_comment();
@@ -138,15 +137,15 @@ class Lexer {
     std::size_t open_word_ = 0;
     std::size_t tokens_ = 0;
     int brackets_ = 0;
-    bool expression_to_end_ = false;  ///< The rest of the block is expressions: behind '=' or an O-word.
+    bool expression_to_end_ = false;  ///< The remainder of the block is expressions: after '=' or an O-word.
     int tape_marks_ = 0;
     bool ended_ = false;
     bool saw_dwell_ = false;
     bool dos_file_ended_ = false;  ///< By the byte 0x1A.
     std::uint32_t leader_lines_ = 0;
-    bool dropping_ = false;  ///< The block is past a bound: the rest of its line is not looked at.
+    bool dropping_ = false;  ///< The block is past a limit: the remainder of its line is ignored.
 
-    // The line guard of fill().
+    // Line guard of fill().
     std::uint32_t read_line_ = 1;
     std::size_t read_line_bytes_ = 0;
     std::deque<CutLine> cut_lines_;

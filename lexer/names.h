@@ -8,10 +8,10 @@
 
 namespace gsim::lexer {
 
-/// In which style of programs a name has its meaning.
+/// Style of programs in which a name has its meaning.
 enum class NameStyle : std::uint8_t { both, ab9, rs274ngc };
 
-/// A function or operator of expressions.
+/// Function or operator of expressions.
 struct ExpressionName {
     std::string_view name;
     Token token;
@@ -64,7 +64,7 @@ inline constexpr std::array kExpressionNames = {
                    "1 where there is such a parameter, a named one with a value, else 0"},
 };
 
-/// What stands behind an O-word of RS274/NGC.
+/// Keyword after an O-word of RS274/NGC.
 struct FlowName {
     std::string_view name;
     Flow flow;

@@ -1,4 +1,4 @@
-// What the rules of gcode.l do with the tokens that they find.
+// Actions of the rules of gcode.l on the tokens that they find.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ SignedDigits split_sign(std::string_view text) {
     return result;
 }
 
-/// Ten times the number of a code with at most four digits and one decimal, such as 921 for "92.1"; else -1.
+/// Returns ten times the number of a code with at most four digits and one decimal, such as 921 for "92.1";
+/// else -1.
 std::int32_t code_x10(const SignedDigits& number) {
     if (number.negative) return -1;
     const std::size_t dot = number.digits.find('.');
@@ -68,7 +69,7 @@ bool is_name_character(char c) {
     return text::is_digit(c) || c == '_' || (upper(c) >= 'A' && upper(c) <= 'Z');
 }
 
-/// Behind a keyword: the start of an expression, a variable or a value.
+/// Returns true for the start of an expression, a variable or a value after a keyword.
 bool is_value_start(char c) {
     return c == '[' || c == '#' || c == '=' || text::is_digit(c);
 }
@@ -94,7 +95,7 @@ std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
     return slice;
 }
 
-// RS274/NGC needs no second readings: its G4 takes P alone, and U is an axis.
+// RS274/NGC needs no alternative readings: its G4 accepts P alone, and U is an axis.
 Token Lexer::classify(const Word& word) const {
     if (is_axis_letter(word.address)) return kAxis;
     if (is_ngc()) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;
@@ -204,7 +205,7 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
              "DPRNT takes its text in brackets, as in DPRNT[X#100[53]]");
         return kBad;
     }
-    // GOTO100, DO1, END1: the digits are a token of their own.
+    // GOTO100, DO1, END1: the digits are a separate token.
     const auto letters =
         static_cast<std::size_t>(std::find_if(name.begin(), name.end(), text::is_digit) - name.begin());
     const bool digits_only =

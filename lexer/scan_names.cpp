@@ -1,4 +1,4 @@
-// What the rules of gcode.l do with names: O-words and parameters of RS274/NGC, functions and operators,
+// Actions of the rules of gcode.l on names: O-words and parameters of RS274/NGC, functions and operators,
 // statements that print.
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace gsim::lexer {
 
-/// A name of RS274/NGC behind its first character, `100` or `<a name>`: blanks and case mean nothing.
+/// Adds a name of RS274/NGC without its first character, `100` or `<a name>`: blanks and case have no
+/// meaning.
 Slice Lexer::add_name(std::string_view text) {
     std::string name;
     for (const char c : text) {
@@ -23,7 +24,7 @@ Slice Lexer::add_name(std::string_view text) {
     return block_.add(name);
 }
 
-/// A number is the same with zeros before it; a name in < > is taken as it stands, so that o<02> is not o2.
+/// Zeros before a number do not change it. A name in < > is used as written, so o<02> is not o2.
 Slice Lexer::without_zeros(Slice name) const {
     if (block_.view(name).find_first_not_of("0123456789") != std::string_view::npos) return name;
     while (name.size > 1 && block_.text[name.begin] == '0') {
@@ -68,7 +69,7 @@ Token Lexer::endless_name() {
 
 namespace {
 
-/// The length of the start of `text` that has so many characters besides blanks.
+/// Returns the length of the start of `text` that has so many characters, blanks not counted.
 std::size_t length_with_blanks(std::string_view text, std::size_t characters) {
     std::size_t length = 0;
     for (; characters > 0; ++length) {
@@ -108,7 +109,7 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
     return wrong_name(text);
 }
 
-/// What stands where a name of an expression, or a keyword behind an O-word, is expected.
+/// Reports the text at the position of an expected name of an expression, or keyword after an O-word.
 Token Lexer::wrong_name(std::string_view text) {
     const std::string name = text::upper(text);
     if (!is_ngc() && brackets_ == 0 && name.size() == 1) {

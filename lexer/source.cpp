@@ -43,7 +43,7 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
     Source source;
     source.name_ = std::move(name);
     source.file_.reset(std::tmpfile());
-    // A program that is confined may reach no folder for temporary files.
+    // A confined program may have no access to a folder for temporary files.
     if (!source.file_) source.file_ = os::file_in_memory("spool");
     if (!source.file_)
         return tl::unexpected("no temporary file for " + source.name_ + ": " + std::strerror(errno));

@@ -15,49 +15,47 @@
 
 namespace gsim::lexer {
 
-/// The longest line that is read, in bytes; what is longer is cut and reported. It bounds the scanner's
-/// memory.
+/// Maximum length of a line, in bytes; a longer line is cut and reported. It limits the scanner's memory.
 inline constexpr std::size_t kMaxLineBytes = 65536;
 
-/// The text of one part program: read in sequence, read again from the start, and looked up by offset for
-/// messages. A file is never held in memory as a whole, so that its length does not matter.
+/// Text of one part program: read in sequence, read again from the start, and looked up by offset for
+/// messages. A file is never completely in memory, so its length does not matter.
 class Source {
   public:
-    /// The name of a source that is standard input.
+    /// Name of a source that is standard input.
     static constexpr std::string_view kStandardInput = "stdin";
 
-    /// Opens a regular file, or copies the data of a pipe as spool() does. The error is a sentence for the
-    /// user.
+    /// Opens a regular file, or copies the data of a pipe like spool(). The error is a message for the user.
     static tl::expected<Source, std::string> open(const std::string& path,
                                                   os::NamedBy named_by = os::NamedBy::a_file);
-    /// The same of files that may be those of a program.
+    /// Does the same for files that may be those of a program.
     static tl::expected<Source, std::string> open(const os::Files& files, const std::string& path,
                                                   os::NamedBy named_by = os::NamedBy::a_file);
     /// Copies a stream that cannot be read twice (standard input) to an anonymous temporary file.
     static tl::expected<Source, std::string> spool(std::FILE* stream, std::string name);
-    /// Takes a text in memory.
+    /// Makes a source from a text in memory.
     static Source from_text(std::string text, std::string name);
 
     const std::string& name() const { return name_; }
     void set_name(std::string name) { name_ = std::move(name); }
     std::uint64_t size() const { return size_; }
 
-    /// Where reading in sequence may be ended before the end: `ends` is asked at each read, and true holds
+    /// Sets a condition that ends reading in sequence early: `ends` is called at each read, and true holds
     /// from then on.
     void end_where(std::function<bool()> ends) { ends_ = std::move(ends); }
-    /// Whether that has happened: what was read is not the whole file.
+    /// Returns true if that has happened: the file was not read completely.
     bool was_ended() const { return was_ended_; }
-    /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end, and from then on: what reads a
-    /// file that grows, or that can be read again after an error, does not find more behind what it took for
-    /// the end.
+    /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end, and from then on. So a reader
+    /// of a file that grows, or is readable again after an error, finds no more after the supposed end.
     std::size_t read(char* buffer, std::size_t capacity);
-    /// Starts over.
+    /// Starts again.
     void rewind();
-    /// The line that starts at byte `line_begin`, without its end, at most `max_bytes` of it.
+    /// Returns the line that starts at byte `line_begin`, without its end, at most `max_bytes` of it.
     std::string line_at(std::uint64_t line_begin, std::size_t max_bytes = kMaxLineBytes) const;
-    /// errno of the first reading that failed, else 0; what was read before counts as the whole file then.
+    /// Returns errno of the first read that failed, else 0; the part read before counts as the complete file
+    /// then.
     int error() const { return error_; }
-    /// The same as a sentence with the name; nothing where nothing failed.
+    /// Returns the same as a message with the name; no value without an error.
     std::optional<std::string> fault() const;
 
   private:
@@ -74,7 +72,7 @@ class Source {
     bool at_end_ = false;
 };
 
-/// The rule for any two files: `path` as an error wants it named, with the reason of errno.
+/// Returns the message for any file: `path` in the form for errors, with the reason of errno.
 std::string file_error(const std::string& path, int error_number);
 
 }  // namespace gsim::lexer

@@ -4,11 +4,11 @@
 
 namespace gsim::lexer {
 
-/// The ways in which part programs are written.
+/// Styles of part programs.
 enum class Style : std::uint8_t {
     ab9,       ///< ISO with macro statements: #1=.., IF [..] GOTO, WHILE [..] DO, aliases.
     rs274ngc,  ///< RS274/NGC: O-words, named parameters, blanks without meaning, ';' before a remark.
-    /// One command a line with its parameters by name (Klipper): read without the scanner.
+    /// One command per line with its parameters by name (Klipper): read without the scanner.
     command_lines,
 };
 

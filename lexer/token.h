@@ -7,18 +7,18 @@ namespace gsim::lexer {
 /// Kinds of tokens: those of tokens.def, and the two that every grammar of Bison has.
 enum Token : int {
     kEnd = 0,
-    kBad = 257,  ///< What no rule of the scanner knows; the diagnostic has been given. (Bison's "undefined".)
+    kBad = 257,  ///< Unknown to all rules of the scanner; already diagnosed. (Bison's "undefined".)
 #define GSIM_TOKEN(token, in_grammar) token,
 #include "lexer/tokens.def"
 #undef GSIM_TOKEN
 };
 
-/// Statements of the 9/Series that write to the outside.
+/// Statements of the 9/Series that write output.
 enum class Print : std::uint32_t { open, close, text };
 
-/// What stands behind an O-word of RS274/NGC.
+/// Keyword after an O-word of RS274/NGC.
 enum class Flow : std::uint32_t {
-    program,  ///< Nothing: a numbered program begins.
+    program,  ///< No keyword: a numbered program begins.
     sub,
     end_sub,
     call,
@@ -73,8 +73,8 @@ enum class Operator : std::uint32_t {
     exists,
 };
 
-/// What a token carries: an index into the block's arena (a word, a variable's number, an operator) and where
-/// it stands. Trivially copyable, as the parser copies it while a block has more than one reading.
+/// Value of a token: an index into the block's arena (a word, a variable's number, an operator) and its
+/// position. Trivially copyable, because the parser copies it while a block has several readings.
 struct Value {
     std::uint32_t index;
     std::uint32_t column;

@@ -1,4 +1,5 @@
--- The files of the library that each dialect has; those that they need come with them. Their order does not matter.
+-- The files of the library that each dialect loads; the files that they need are loaded with them. Their
+-- order does not matter.
 
 local klipper = {
   "common/groups", "common/inputs", "klipper/arcs", "klipper/limits", "klipper/modes", "klipper/moves",
@@ -26,5 +27,5 @@ local own = {
   },
 }
 
-if core.dialect == "klipper" then return { klipper } end   -- words of the others mean nothing there
+if core.dialect == "klipper" then return { klipper } end   -- words of other dialects have no meaning there
 return { both, own[core.dialect] }

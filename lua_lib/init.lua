@@ -1,6 +1,6 @@
--- The control in Lua: what each word of a part program means. This folder can be copied, changed and given to
--- gsim-run with --lua-lib. `core` is the C++ side (see README.md beside this file), `env` is what scripts see, and
--- use "name" gives what another file returns.
+-- The controller in Lua: the meaning of each word of a part program. This folder can be copied, changed and
+-- passed to gsim-run with --lua-lib. `core` is the C++ side (see README.md in this folder), `env` is what
+-- scripts see, and use "name" returns the result of another file.
 
 local words = use "core/words"   -- from here on it is noted which file says what to scripts
 
@@ -11,7 +11,7 @@ end
 words.finish()
 use("core/hooks", "tell")("begin")
 
--- What the C++ side calls.
+-- The functions that the C++ side calls.
 local main_process, run_interrupt = use("common/processes", "main_process", "run_interrupt")
 local stored_data, permanent_variables = use("core/stored_data", "stored_data", "permanent_variables")
 return {

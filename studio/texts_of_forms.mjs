@@ -1,3 +1,4 @@
-// Texts of src/texts/ that forms alone say: a page to look at a finished run in has no forms, and goes without them.
+// Texts of src/texts/ that only forms use: a page that only shows a finished run has no forms, and omits
+// them.
 
 export const textsOfForms = ["data", "machine", "teach", "variants"];

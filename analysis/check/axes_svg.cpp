@@ -16,18 +16,18 @@ using Eigen::Vector3d;
 
 constexpr double kSize = 440;       // of the picture above its text, in its units
 constexpr double kReach = 130;      // of an arrow
-constexpr double kFrameReach = 55;  // of the work frame's own axes
+constexpr double kFrameReach = 55;  // of the work frame's axes
 constexpr double kHead = 9;         // of an arrow
 constexpr double kWidth = 640;
-constexpr double kLineHeight = 18;   // of the sentences below
+constexpr double kLineHeight = 18;   // of the messages below
 constexpr double kTurnRadius = 26;   // of the arrow of a turn
-constexpr double kTurnPlace = 0.62;  // where on its axis a turn is drawn, as a share of the reach
+constexpr double kTurnPlace = 0.62;  // position of a turn on its axis, as a share of the reach
 constexpr int kTurnSteps = 24;
-constexpr double kTurnPart = 0.8;  // of a whole turn that the arrow goes round
+constexpr double kTurnPart = 0.8;  // of a full turn that the arrow spans
 constexpr double kStepAside = 20;  // between arrows of the same direction
 constexpr double kSameDirection = 0.999;
 
-// Seen from the front, the right and above: x to the right, y into the picture, z up.
+// Projects a point as seen from the front, the right and above: x to the right, y into the picture, z up.
 Vector2d on_paper(const Vector3d& point) {
     constexpr double kYRight = 0.45;
     constexpr double kYUp = 0.38;
@@ -44,7 +44,7 @@ const char* colour_of(const AxisMotion& motion) {
     return motion.carries_work ? kOfWork : kOfTool;
 }
 
-// Some direction at right angles to another one.
+// Returns some direction at right angles to another one.
 Vector3d across(const Vector3d& direction) {
     constexpr double kUpright = 0.9;
     return direction.cross(std::abs(direction.z()) < kUpright ? Vector3d::UnitZ() : Vector3d::UnitX())
@@ -77,7 +77,7 @@ class Picture {
 
     static Vector2d place(const Vector3d& point) { return Vector2d(kWidth / 2, kSize / 2) + on_paper(point); }
 
-    // A line through points of the paper, with a head at its end.
+    // Draws a line through points of the paper, with a head at its end.
     void arrow(const char* colour, const std::vector<Vector2d>& points) {
         add("<path fill=\"none\" stroke=\"{}\" d=\"", colour);
         char command = 'M';
@@ -99,7 +99,7 @@ class Picture {
         add("<text fill=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", colour, at.x() + 8, at.y() - 4, text);
     }
 
-    // The work frame itself, in a corner of its own.
+    // Draws the work frame itself, in a separate corner.
     void draw_frame() {
         const Vector3d corner(-3 * kFrameReach, 0, -3 * kFrameReach);
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -110,7 +110,7 @@ class Picture {
         label(kOfFrame, place(corner) + Vector2d(-10, kLineHeight + 6), "work frame");
     }
 
-    // Arrows that would lie on one another go side by side.
+    // Shifts arrows that would lie on one another, so that they are side by side.
     Vector3d aside(std::size_t index) const {
         const Vector3d& direction = motions_[index].direction;
         int before = 0;

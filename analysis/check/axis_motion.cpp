@@ -14,14 +14,14 @@ namespace {
 constexpr double kAlong = 1e-6;  // what a direction may be off an axis of the frame, as a share of its length
 constexpr double kFlat = 1e-3;   // three directions in a plane have no hand
 
-// A direction of the work frame, as one sees it from the front.
+// Direction of the work frame, as seen from the front.
 struct Side {
     const char* sign;  // "+x"
     const char* way;   // "moves ... to the right"
-    const char* turn;  // how a turn about it goes, seen from where one sees best
+    const char* turn;  // sense of a turn about it, seen from the best side
 };
 
-// Of x, y and z: towards plus, and towards minus.
+// Sides of x, y and z: towards plus, and towards minus.
 constexpr std::array<std::array<Side, 2>, 3> kSides{{
     {{{"+x", "to the right", "counter-clockwise seen from the right"},
       {"-x", "to the left", "clockwise seen from the right"}}},
@@ -30,7 +30,7 @@ constexpr std::array<std::array<Side, 2>, 3> kSides{{
     {{{"+z", "up", "counter-clockwise seen from above"}, {"-z", "down", "clockwise seen from above"}}},
 }};
 
-// The side that a direction points to; null where it lies between them.
+// Returns the side that a direction points to; null if it lies between them.
 const Side* side_of(const Eigen::Vector3d& direction) {
     Eigen::Index largest = 0;
     if (direction.cwiseAbs().maxCoeff(&largest) < 1 - kAlong) return nullptr;

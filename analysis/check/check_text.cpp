@@ -15,7 +15,8 @@ namespace {
 
 using cell::Verdict;
 
-// Names come from strangers' files: nothing that a terminal would take as a command.
+// Removes everything that a terminal would take as a command, because names come from files of untrusted
+// users.
 std::string clean(std::string_view text) {
     std::string out(text);
     for (char& c : out) {

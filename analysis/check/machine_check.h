@@ -10,35 +10,35 @@
 
 namespace gsim::check {
 
-/// What a careful person would want to know of a machine before it is trusted.
+/// Facts that a careful user checks before trusting a machine.
 struct MachineCheck {
     machine::Machine machine;
     machine::JointBox box;  ///< Over which all was looked at.
     rrs::CartPos home;      ///< The tool centre point in the work frame, with all axes at home.
-    bool has_head = false;  ///< Its two rotary axes turn the tool about its tip.
+    bool has_head = false;  ///< Its two rotary axes turn the tool about its TCP.
     std::vector<AxisMotion> motions = {};
-    std::vector<std::string> left_handed = {};  ///< Sentences of find_left_handed().
+    std::vector<std::string> left_handed = {};  ///< Messages of find_left_handed().
     InverseCheck inverse = {};
     SingularCheck singular = {};
     std::vector<std::string> bodies = {};  ///< Names of the cell's items.
     std::vector<cell::MeetingFinding> meetings = {};
-    std::vector<std::string> notes = {};  ///< Sentences: what may be meant so, but is worth a look.
+    std::vector<std::string> notes = {};  ///< Messages: possibly intended, but worth a check.
 
     std::size_t count(cell::Verdict verdict) const;
-    /// Nothing is wrong, and nothing was left undecided.
+    /// Returns true if no error was found and no question was left undecided.
     bool is_clean() const;
 };
 
-/// Checks a machine that its reader has let pass, with the bodies of a cell: its own ones
+/// Checks a machine that its reader has accepted, with the bodies of a cell: its own ones
 /// (cell::cell_of_machine), or those of a cell that was read for it.
 MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& cell);
 
-/// The check for people, ASCII.
+/// Returns the check as readable text, ASCII.
 std::string to_text(const MachineCheck& check);
-/// The check as JSON (docs/machine-file.md).
+/// Returns the check as JSON (docs/machine-file.md).
 std::string to_json(const MachineCheck& check);
 
-/// The joint values of a machine as its axes read them: "A 0 B 45.5", mm and deg.
+/// Returns the joint values of a machine as its axes show them: "A 0 B 45.5", mm and deg.
 std::string axis_values(const machine::Machine& machine, const rrs::JointPos& joints);
 
 }  // namespace gsim::check

@@ -14,13 +14,13 @@ constexpr double kNear = 0.01;
 constexpr double kNone = 1e-9;       // a direction in which the tool never moves
 constexpr double kTakesPart = 0.05;  // as in kinematics::lined_up()
 constexpr int kSteps = 720;          // of one joint's range
-constexpr int kOthers = 8;           // stances of the other joints, at each step
+constexpr int kOthers = 8;           // configurations of the other joints, at each step
 constexpr int kStances = 2000;
 
-/// How much the joints move the tool, in the direction in which they can do it least.
+/// Amount by which the joints move the tool, in the direction in which they can do so least.
 struct Least {
     double value;
-    Eigen::VectorXd parts;  ///< Of the joints that then move against each other.
+    Eigen::VectorXd parts;  ///< Parts of the joints that then move against each other.
 };
 
 class Stances {
@@ -45,7 +45,8 @@ class Stances {
     bool is_near(const rrs::JointPos& at) const { return least(at).value < kNear; }
 
   private:
-    // Rows: three of the tip's speed, in reaches; three of its turning, or two without that about the tool.
+    // Returns rows: three of the TCP's speed, in reaches; three of its rotation, or two without that about
+    // the tool.
     Eigen::MatrixXd scaled(const rrs::JointPos& at) const {
         const kinematics::Stance stance = kinematics::stance(chain_, at);
         const Eigen::Matrix3d to_tool = stance.tool.linear().transpose();
@@ -67,7 +68,7 @@ class Stances {
     const kinematics::Chain& chain_;
     double mm_per_rad_;
     const machine::JointBox& box_;
-    int directions_ = 0;  ///< That the tool can be moved in, in most stances.
+    int directions_ = 0;  ///< Possible directions of the tool, in most configurations.
 };
 
 bool is_near_whatever_the_others(const Stances& stances, int joint, double value) {

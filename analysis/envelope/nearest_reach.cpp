@@ -15,13 +15,13 @@ constexpr double kFirstDamping = 1e-3;
 
 using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, rrs::kMaxJoints>;
 
-/// The tip, and how it moves with each joint.
+/// TCP, and its motion with each joint.
 struct Tip {
     Vector3d place;
     Columns jacobian;
 };
 
-// From the last joint to the first: each one moves the tip, and the ways that those behind it give it.
+// Runs from the last joint to the first: each one moves the TCP, and the motion that later joints give it.
 Tip tip_at(const TipChain& chain, const rrs::JointPos& values) {
     Tip tip{chain.start_mm, Columns(3, values.size())};
     for (Eigen::Index i = values.size(); i-- > 0;) {
@@ -39,7 +39,7 @@ Tip tip_at(const TipChain& chain, const rrs::JointPos& values) {
     return tip;
 }
 
-// A joint at an end that would go on beyond it is held.
+// Holds a joint at an end if it would move on beyond it.
 rrs::JointPos step(const TipChain& chain, const rrs::JointPos& values, const Tip& tip, const Vector3d& left,
                    double damping) {
     Columns columns = tip.jacobian;
@@ -49,7 +49,7 @@ rrs::JointPos step(const TipChain& chain, const rrs::JointPos& values, const Tip
         if ((values[i] <= joint.low && pull < 0) || (values[i] >= joint.high && pull > 0))
             columns.col(i).setZero();
     }
-    // Eigen's product of large matrices, which these are not, costs a second of each build.
+    // Avoids Eigen's product of large matrices, because it costs a second of each build and these are small.
     kinematics::JointSquare normal = columns.transpose().lazyProduct(columns);
     const rrs::JointPos sizes = normal.diagonal();
     normal.diagonal() += damping * sizes + rrs::JointPos::Constant(values.size(), 1e-12);

@@ -6,8 +6,8 @@
 
 namespace gsim::envelope {
 
-/// A place that the tip reaches near `target`: from joint values that bring it close, by damped least squares
-/// within the joints' ranges. No farther from the target than where it starts.
+/// Returns a position near `target` that the TCP reaches: from joint values that bring it close, by damped
+/// least squares within the joints' ranges. It is no farther from the target than the start.
 Vector3d nearest_reach(const TipChain& chain, const std::vector<double>& from, const Vector3d& target);
 
 }  // namespace gsim::envelope

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFullTurn = 2 * std::numbers::pi - 1e-9;
 constexpr int kPointsOfTurn = 180;
 
-// The normal of the plane that two joints keep the tip in.
+// Returns the normal of the plane in which two joints keep the TCP.
 std::optional<Vector3d> plane_normal(const TipJoint& a, const TipJoint& b) {
     if (a.is_slide() && b.is_slide()) {
         const Vector3d normal = a.direction.cross(b.direction);
@@ -39,7 +39,7 @@ Curve parallelogram(const TipChain& chain) {
              chain.tip({a.low, b.high})}};
 }
 
-// The way of joint `moving` with the other one at `value`.
+// Returns the path of joint `moving` with the other one at `value`.
 Curve way(const TipChain& chain, std::size_t moving, double value) {
     const TipJoint& joint = chain.joints[moving];
     const int steps = joint.is_slide() ? 1 : kPointsOfTurn;

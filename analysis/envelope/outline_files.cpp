@@ -24,7 +24,7 @@ std::string axes(const machine::Machine& machine, const PairOutline& outline) {
                        machine.axes[static_cast<std::size_t>(outline.second)].letter);
 }
 
-// To 1e-6 mm, and never -0.
+// Rounds to 1e-6 mm, and never returns -0.
 double rounded(double value) {
     return std::round(value * 1e6) / 1e6 + 0.0;
 }
@@ -72,7 +72,7 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
     }
     const double size_mm = std::max(box.sizes().maxCoeff(), 1e-6);
     const double scale = kPanel / size_mm;
-    // All in one path, so that holes are left out of the filling.
+    // Writes all in one path, so that holes are not filled.
     svg += outline.flat ? "<path d=\"" : "<path class=\"open\" d=\"";
     for (const Curve& curve : outline.curves) {
         char command = 'M';

@@ -46,7 +46,7 @@ AlignedBox3d swept(const TipJoint& joint, const AlignedBox3d& box) {
             all.extend(joint.moved(corner(i), joint.low)).extend(joint.moved(corner(i), joint.high));
         return all;
     }
-    // The cylinder about the axis that holds the box.
+    // Cylinder about the axis that holds the box.
     double radius = 0;
     for (int i = 0; i < 8; ++i) radius = std::max(radius, Orbit(joint, corner(i)).speed());
     const Vector3d disc = radius * (Vector3d::Ones() - joint.direction.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
@@ -105,8 +105,8 @@ std::vector<AlignedBox3d> ReachField::loose_boxes() const {
     return boxes;
 }
 
-// A point of the set is within half a step of a node in each direction, and that node half a diagonal of a
-// cube from it.
+// Uses two bounds: a point of the set is within half a step of a node in each direction, and that node within
+// half a cube diagonal of it.
 std::vector<AlignedBox3d> ReachField::tight_boxes() const {
     std::vector<AlignedBox3d> boxes;
     boxes.reserve(grids_.size());
@@ -124,14 +124,15 @@ std::vector<AlignedBox3d> ReachField::tight_boxes() const {
 void ReachField::build(const std::vector<AlignedBox3d>& boxes, int nodes) {
     std::vector<double> steps(boxes.size(), 0);
     std::vector<double> margins(boxes.size(), 0);
-    // Margins are made of steps, and steps of what is in a grid, margins included.
+    // Repeats, because margins depend on steps, and steps on the contents of a grid, margins included.
     for (int round = 0; round < kRounds; ++round) {
         double error_mm = 0;
         for (std::size_t level = 0; level < boxes.size(); ++level) {
             steps[level] = std::max(boxes[level].sizes().maxCoeff() + 2 * margins[level], 1e-3) / nodes;
             error_mm += (kHalfDiagonalOfCube + kTolerance) * steps[level];
         }
-        // What the last grid is cut at must be known in all of them; it is cut farther in than at its border.
+        // The level at which the last grid is cut must be known in all of them; the last one is cut farther
+        // in than at its border.
         for (std::size_t level = 0; level < boxes.size(); ++level)
             margins[level] = error_mm * (level + 1 == boxes.size() ? 2 : 1) + 2 * steps[level];
     }

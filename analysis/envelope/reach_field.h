@@ -12,10 +12,10 @@ namespace gsim::envelope {
 struct DistanceGrid {
     Vector3d low_mm;
     double step_mm = 1;
-    Eigen::Array3i count;            ///< Of nodes, in each direction.
+    Eigen::Array3i count;            ///< Nodes in each direction.
     std::vector<float> distance_mm;  ///< x fastest.
     Eigen::AlignedBox3d holds;       ///< The set is in here.
-    double error_mm = 0;             ///< Of the distances at nodes, of those up to `band_mm`.
+    double error_mm = 0;             ///< Error of the distances at nodes, up to `band_mm`.
     double band_mm = 0;              ///< Distances beyond are lower bounds.
 
     Vector3d node(const Eigen::Array3i& index) const {
@@ -27,27 +27,29 @@ struct DistanceGrid {
                    static_cast<std::size_t>(count.x()) +
                static_cast<std::size_t>(x);
     }
-    /// Between nodes linear in each direction; outside, the distance from `holds`, which is no more.
+    /// Interpolates linearly between nodes in each direction; outside, returns the distance from `holds`,
+    /// which is not larger.
     double at(const Vector3d& point) const;
-    /// How far at() may be off, of what is nearer than the grid reaches: a distance changes by no more than
-    /// one goes, and from the corners of a cube to any point in it that is half its diagonal at most.
+    /// Returns the max error of at() for distances within the grid's reach. A distance changes by at most the
+    /// travel, which from the corners of a cube to any point in it is at most half its diagonal.
     double error_between_mm() const;
 };
 
-/// What the tip of a chain reaches, as distances from it. From the last joint to the first: the distance from
-/// the union of what a joint makes of a set is the least of the distances from the set along the way of the
-/// joint, taken back. The last joints have a closed form (TailSet), of the one before them the nodes are
-/// exact to a tolerance; each joint before that adds the error of the grid that it is looked up in.
+/// Reach of the TCP of a chain, as distances from it. It is computed from the last joint to the first. A
+/// joint makes a union of a set; the distance from it is the smallest distance from the set along the path of
+/// the joint, taken back. The last joints have a closed form (TailSet). For the one before them the nodes are
+/// exact to a tolerance; each joint before that adds the error of the grid from which it is computed.
 class ReachField {
   public:
-    /// `nodes` in the longest direction of each grid. The chain has joints, with finite ranges.
+    /// Builds the grids, with `nodes` in the longest direction of each. The chain has joints, with finite
+    /// ranges.
     ReachField(const TipChain& chain, int nodes);
 
-    /// Of all joints.
+    /// Returns the grid of all joints.
     const DistanceGrid& grid() const { return grids_.back(); }
-    /// All that is reached is where distances between nodes are no more than this.
+    /// Returns the level: distances between nodes are at most this at all reached points.
     double level_mm() const { return grid().error_between_mm(); }
-    /// Joint values that bring the tip about as near to a point as the field says.
+    /// Returns joint values that bring the TCP about as near to a point as the field says.
     std::vector<double> nearest_values(const Vector3d& point) const;
 
   private:
@@ -55,17 +57,17 @@ class ReachField {
     std::vector<Eigen::AlignedBox3d> loose_boxes() const;
     std::vector<Eigen::AlignedBox3d> tight_boxes() const;
     void fill(std::size_t level);
-    /// How exact the nodes of a grid are made, what it is looked up in apart.
+    /// Returns the accuracy of the nodes of a grid, without that of the grid from which they are computed.
     double tolerance_mm(std::size_t level) const { return kTolerance * grids_[level].step_mm; }
     NearestPass pass(std::size_t level, const Vector3d& point, double hint, const PassRule& rule) const;
-    /// The joint that makes grid `level`; null where the closed form does it alone.
+    /// Returns the joint that makes grid `level`; null if the closed form does it alone.
     const TipJoint* joint_of(std::size_t level) const;
 
     static constexpr double kTolerance = 0.25;  // of the step
 
     TipChain chain_;
     TailSet tail_;
-    std::vector<DistanceGrid> grids_;  ///< Of the last joints first.
+    std::vector<DistanceGrid> grids_;  ///< Last joints first.
 };
 
 }  // namespace gsim::envelope

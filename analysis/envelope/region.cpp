@@ -23,7 +23,7 @@ constexpr double kTolerance = 0.25;  // of the step
 constexpr double kHalfDiagonalOfSquare = std::numbers::sqrt2 / 2;
 constexpr double kSame_mm = 1e-6;
 
-/// Distances from what the tip reaches, at the nodes of squares in its plane, and the line about those nodes
+/// Distances from the reach of the TCP, at the nodes of squares in its plane, and the line about those nodes
 /// that are near it.
 class PlaneField {
   public:
@@ -91,7 +91,7 @@ class PlaneField {
         return (static_cast<Edge>(std::min(a, b)) << 32U) | static_cast<Edge>(std::max(a, b));
     }
 
-    // Corners go round counterclockwise; what is inside lies to the left of the line.
+    // Expects counterclockwise corners; the inside lies to the left of the line.
     void add_triangle(const std::array<std::int64_t, 3>& corners) {
         const int count =
             int{is_inside(corners[0])} + int{is_inside(corners[1])} + int{is_inside(corners[2])};
@@ -133,7 +133,7 @@ class PlaneField {
         return loop;
     }
 
-    // Takes a piece out of the line; the edge that it leads to.
+    // Removes a part from the line; returns the edge that it leads to.
     Edge take_piece(std::unordered_map<Edge, Edge>::iterator piece) {
         const Edge behind = piece->second;
         next_.erase(piece);
@@ -148,7 +148,7 @@ class PlaneField {
     std::int64_t columns_;
     std::int64_t rows_;
     std::vector<double> distance_mm_;
-    std::unordered_map<Edge, Edge> next_;  ///< Pieces of the line, from one cut edge to the next.
+    std::unordered_map<Edge, Edge> next_;  ///< Parts of the line, from one cut edge to the next.
 };
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace gsim::envelope {
 
-/// What the tip reaches in a plane.
+/// Reach of the TCP in a plane.
 struct Region {
-    /// Its border: the outer one, and one round each hole. Places that the tip reaches.
+    /// Its borders, through positions that the TCP reaches: the outer one, and one round each hole.
     std::vector<std::vector<Vector3d>> loops_mm;
     double error_mm;  ///< By how much the border may be off.
 };
 
-/// The directions to the right and up in which a plane is shown: up along Z as far as it can be, else along
+/// Directions to the right and up in which a plane is shown: up along Z as far as possible, otherwise along
 /// Y.
 struct PlaneView {
     Vector3d right;
@@ -21,7 +21,8 @@ struct PlaneView {
 };
 PlaneView plane_view(const Vector3d& normal);
 
-/// The region of two joints that keep the tip in a plane, on a grid in it, as ReachField finds volumes.
+/// Returns the region of two joints that keep the TCP in a plane, on a grid in it, as ReachField finds
+/// volumes.
 Region reached_region(const TipChain& chain, const Vector3d& normal);
 
 }  // namespace gsim::envelope

@@ -6,8 +6,8 @@
 
 namespace gsim::envelope {
 
-/// A surface as binary STL, in mm. Triangles without an area are left out where two of their corners are the
-/// same in the file's single precision: the surface stays closed without them.
+/// Returns a surface as binary STL, in mm. Triangles without an area are omitted if two of their corners are
+/// the same in the file's single precision: the surface stays closed without them.
 std::string to_stl(const Surface& surface);
 
 }  // namespace gsim::envelope

@@ -9,8 +9,8 @@ namespace {
 
 using Tetrahedron = std::array<Eigen::Array3i, 4>;
 
-// From one corner of a cube to the opposite one along its edges, in all orders of the three directions.
-// Corners stand so that their determinant is positive.
+// Returns tetrahedra from one corner of a cube to the opposite one along its edges, in all orders of the
+// three directions. Corners are ordered so that their determinant is positive.
 std::array<Tetrahedron, 6> tetrahedra() {
     constexpr std::array<std::array<int, 3>, 6> kOrders{
         {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};  // three even ones, three odd
@@ -71,7 +71,7 @@ class Builder {
         }
     }
 
-    // The corners in another order of the same sense, those inside first or the odd one out first.
+    // Reorders the corners in the same sense, those inside first or the odd one out first.
     void add_tetrahedron(const Nodes& nodes) {
         constexpr std::array<std::array<std::size_t, 4>, 4> kOne{
             {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
@@ -104,7 +104,7 @@ class Builder {
         }
     }
 
-    // Where the edge between two nodes passes the level; the same point for all that ask.
+    // Returns the point at which the edge between two nodes passes the level; the same point for all callers.
     std::uint32_t cut(const Node& a, const Node& b) {
         if (a.index > b.index) return cut(b, a);
         const std::uint64_t edge = (static_cast<std::uint64_t>(a.index) << 32U) | b.index;

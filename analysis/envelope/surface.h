@@ -8,18 +8,19 @@
 
 namespace gsim::envelope {
 
-/// Triangles with their corners as indices; seen from outside they go counterclockwise.
+/// Triangles with their corners as indices, counterclockwise as seen from outside.
 struct Surface {
     std::vector<Vector3d> points_mm;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// The surface round the nodes of a grid whose distance is at most `level_mm`, none of which is on the
-/// grid's border: each cube in six tetrahedra about one diagonal (H. W. Kuhn, 1960), and of each of these at
-/// most two triangles. Closed: each edge belongs to two triangles, which take it in opposite ways.
+/// Returns the surface round the nodes of a grid at a distance of at most `level_mm`, none of them on the
+/// grid's border. Each cube becomes six tetrahedra about one diagonal (H. W. Kuhn, 1960), and each of these
+/// at most two triangles. It is closed: each edge belongs to two triangles, which use it in opposite
+/// directions.
 Surface surface_at(const DistanceGrid& grid, double level_mm);
 
-/// The volume in a closed surface, mm3.
+/// Returns the volume in a closed surface, mm3.
 double volume_mm3(const Surface& surface);
 
 }  // namespace gsim::envelope

@@ -9,7 +9,7 @@
 
 namespace gsim::envelope {
 
-/// Where a joint at different values takes a point from: the inverse of its motion.
+/// Positions from which a joint at different values takes a point: the inverse of its motion.
 class Orbit {
   public:
     Orbit(const TipJoint& joint, const Vector3d& point) {
@@ -31,7 +31,7 @@ class Orbit {
         if (slides_) return middle_ + value * across_;
         return middle_ + std::cos(value) * out_ + std::sin(value) * across_;
     }
-    /// mm for each mm or rad of the joint.
+    /// Returns mm for each mm or rad of the joint.
     double speed() const { return speed_; }
 
   private:
@@ -42,17 +42,17 @@ class Orbit {
     bool slides_ = false;
 };
 
-/// How near a set comes to a point on its way along a joint.
+/// Smallest distance between a set and a point on its path along a joint.
 struct NearestPass {
     double distance_mm = std::numeric_limits<double>::infinity();
-    double value = 0;  ///< Of the joint, there.
+    double value = 0;  ///< Joint value there.
 };
 
-/// How closely a least distance is wanted.
+/// Required accuracy of a smallest distance.
 struct PassRule {
     double tolerance_mm;
     double near_mm;  ///< A distance that is no more than this is good enough.
-    /// Of what is farther a lower bound will do, 0.7 of it or better.
+    /// Distance above which a lower bound is enough, 0.7 of it or better.
     double band_mm = std::numeric_limits<double>::infinity();
 
     double tolerance_at(double distance_mm) const {
@@ -60,9 +60,9 @@ struct PassRule {
     }
 };
 
-/// The least of distance(x) over all that a joint makes of a set. A distance does not change by more than one
-/// goes, so that what is far is passed in long steps (as in sphere tracing: J. C. Hart, The Visual Computer
-/// 12, 1996). `hint` is a value of the joint at which it may be near.
+/// Returns the smallest distance(x) over all positions that a joint gives a set. A distance does not change
+/// by more than the travel, so distant parts are passed in long steps (as in sphere tracing: J. C. Hart, The
+/// Visual Computer 12, 1996). `hint` is a value of the joint at which it may be near.
 template <typename Distance>
 NearestPass nearest_pass(const TipJoint& joint, const Vector3d& point, double hint, const PassRule& rule,
                          const Distance& distance) {
@@ -81,7 +81,7 @@ NearestPass nearest_pass(const TipJoint& joint, const Vector3d& point, double hi
     return best;
 }
 
-/// A box that holds all that a joint makes of one.
+/// Returns a box that holds all positions that a joint gives a box.
 Eigen::AlignedBox3d swept(const TipJoint& joint, const Eigen::AlignedBox3d& box);
 
 }  // namespace gsim::envelope

@@ -40,7 +40,7 @@ double TailSet::nearest_angle(const Vector3d& point) const {
     const double angle = std::atan2(joint.direction.cross(out).dot(to), out.dot(to));
     const double raised = angle + kTurn * std::ceil((joint.low - angle) / kTurn);
     if (raised <= joint.high) return raised;
-    // Beyond the ends the nearer one, the shorter way round.
+    // Beyond the ends the nearer one counts, by the shorter turn.
     return raised - joint.high < kTurn - (raised - joint.low) ? joint.high : joint.low;
 }
 

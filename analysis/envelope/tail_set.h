@@ -8,18 +8,18 @@
 
 namespace gsim::envelope {
 
-/// What the last joints of a chain make of the tip, where its distance from a point has a closed form: the
+/// Set that the last joints of a chain make of the TCP, if its distance from a point has a closed form: the
 /// start itself, an arc about one revolute joint, or the box of up to three slides at right angles.
 class TailSet {
   public:
     explicit TailSet(const TipChain& chain);
 
-    /// How many of the chain's joints it stands for.
+    /// Returns how many of the chain's joints it covers.
     std::size_t joint_count() const { return tail_.joints.size(); }
     double distance_mm(const Vector3d& point) const;
-    /// Values of its joints that bring the tip nearest to a point.
+    /// Returns values of its joints that bring the TCP nearest to a point.
     std::vector<double> nearest_values(const Vector3d& point) const;
-    /// A box with sides along the axes of the frame that holds it.
+    /// Returns a box that holds it, with sides along the axes of the frame.
     Eigen::AlignedBox3d bounds() const;
 
   private:

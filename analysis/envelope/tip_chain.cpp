@@ -22,7 +22,8 @@ Eigen::Isometry3d motion(const TipJoint& joint, double value) {
     return pose;
 }
 
-// What the joints behind a revolute one make of the tip lies on its axis: it turns nothing.
+// Returns true if the set that joints after a revolute one make of the TCP lies on its axis: it turns
+// nothing.
 bool turns_nothing(const TipJoint& joint, const std::vector<TipJoint>& behind, const Vector3d& start) {
     if (joint.is_slide()) return false;
     const bool slides_along = std::all_of(behind.begin(), behind.end(), [&](const TipJoint& other) {
@@ -31,8 +32,7 @@ bool turns_nothing(const TipJoint& joint, const std::vector<TipJoint>& behind, c
     return slides_along && joint.direction.cross(start - joint.point_mm).norm() < kOnAxis_mm;
 }
 
-// Joints for which `fixed_at` has a value stand there, and the lines of those behind them are moved with
-// them.
+// Fixes joints at the value that `fixed_at` has for them, and moves the lines of later joints with them.
 TipChain reduced(const TipChain& chain,
                  const std::function<std::optional<double>(const TipJoint&)>& fixed_at) {
     Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();

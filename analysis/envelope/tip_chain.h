@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 /// Sine of the angle below which two directions count as parallel.
 inline constexpr double kParallel = 1e-9;
 
-/// Of unit vectors; in whichever sense.
+/// Returns true for parallel unit vectors, in either sense.
 bool is_parallel(const Vector3d& a, const Vector3d& b);
 
-/// A joint as it moves the tip against the work: along or about a line in the work frame, by a value of the
+/// Joint as it moves the TCP relative to the work: along or about a line in the work frame, by a value of the
 /// joint (mm, rad) between two ends.
 struct TipJoint {
     int joint;
@@ -28,12 +28,12 @@ struct TipJoint {
     double high;
 
     bool is_slide() const { return kind == rrs::JointKind::prismatic; }
-    /// Where the joint takes a point.
+    /// Returns a point as moved by the joint.
     Vector3d moved(const Vector3d& point, double value) const;
 };
 
-/// The tip in the work frame as a product of exponentials without its turning (kinematics::ScrewChain): the
-/// first joint takes what all others have made of the start. Only joints that move the tip.
+/// TCP in the work frame as a product of exponentials without its rotation (kinematics::ScrewChain): the
+/// first joint moves what all others have made of the start. Only joints that move the TCP.
 struct TipChain {
     std::vector<TipJoint> joints;
     Vector3d start_mm;
@@ -41,10 +41,10 @@ struct TipChain {
     Vector3d tip(const std::vector<double>& values) const;
 };
 
-/// The chain of a machine whose joints go over the box; those that have no range there stand still.
+/// Returns the chain of a machine with joints that move over the box; those without a range there are fixed.
 TipChain tip_chain(const machine::Machine& machine, const machine::JointBox& box);
 
-/// The chain of two joints, first < second in `whole`, with all others at home.
+/// Returns the chain of two joints, first < second in `whole`, with all others at home.
 TipChain pair_chain(const TipChain& whole, std::size_t first, std::size_t second, const rrs::JointPos& home);
 
 }  // namespace gsim::envelope

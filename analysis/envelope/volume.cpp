@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSameWay = 1e-12;
 
-// Slides that go the same way are one. Nothing where there is anything but three slides in the end.
+// Merges parallel slides into one. Returns an empty list if anything but three slides is left.
 std::vector<TipJoint> three_slides(const TipChain& chain) {
     std::vector<TipJoint> slides;
     for (const TipJoint& joint : chain.joints) {
@@ -58,7 +58,7 @@ Volume reached_volume(const TipChain& chain, int nodes) {
     if (const auto slides = three_slides(chain); !slides.empty()) return {block(chain, slides), 0, 0};
     const ReachField field(chain, nodes);
     Volume volume{surface_at(field.grid(), field.level_mm()), field.grid().step_mm, 2 * field.level_mm()};
-    // All that is reached lies within this surface; its corners go to the nearest places that are.
+    // This surface encloses every reached position; its corners move to the nearest ones that are reached.
     for (Vector3d& point : volume.surface.points_mm) {
         const Vector3d reached = nearest_reach(chain, field.nearest_values(point), point);
         volume.error_mm = std::max(volume.error_mm, (reached - point).norm());

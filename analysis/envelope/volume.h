@@ -8,21 +8,21 @@
 
 namespace gsim::envelope {
 
-/// All that the tip of a machine reaches in the work frame.
+/// Volume that the TCP of a machine reaches in the work frame.
 struct Volume {
-    Surface surface;     ///< Closed. Its corners are places that the tip reaches.
-    double step_mm = 0;  ///< Of the grid that it was found on; 0 where it is exact.
-    /// No reachable place is farther out of the surface, and no place within is farther from a reachable one.
-    /// Holes narrower than twice this are not told.
+    Surface surface;     ///< Closed. Its corners are positions that the TCP reaches.
+    double step_mm = 0;  ///< Step of the grid that it was found on; 0 if it is exact.
+    /// Max distance of a reachable position outside the surface, and of a position within from a reachable
+    /// one. Holes narrower than twice this are not reported.
     double error_mm = 0;
 };
 
-/// The volume of a chain on grids of `nodes` in their longest direction; with 80 it takes some seconds and 50
-/// MB. A machine of three slides has its exact box.
+/// Returns the volume of a chain on grids of `nodes` in their longest direction; with 80 it takes some
+/// seconds and 50 MB. A machine of three slides has its exact box.
 Volume reached_volume(const TipChain& chain, int nodes = 80);
 
-/// The chain of a machine for its envelope. The error is a sentence: no joint moves the tip, or one of them
-/// has no end.
+/// Returns the chain of a machine for its envelope. The error is a message: no joint moves the TCP, or one of
+/// them has no end.
 tl::expected<TipChain, std::string> envelope_chain(const machine::Machine& machine);
 
 }  // namespace gsim::envelope

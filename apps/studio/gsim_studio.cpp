@@ -1,4 +1,4 @@
-// gsim-studio: the page of the studio with the engine of this machine behind it.
+// gsim-studio: serves the page of the studio, with the engine of this computer.
 
 #include <cerrno>
 #include <cstdint>
@@ -116,7 +116,7 @@ tl::expected<fs::path, std::string> page_of_installation() {
     return tl::unexpected(std::string("this build has no page of the studio; make studio makes it"));
 }
 
-/// What gsim-serve is told, and where it is.
+/// Returns the command line of gsim-serve with its path.
 tl::expected<std::vector<std::string>, std::string> command_of(const StudioArguments& arguments) {
     if (!arguments.dialect.empty()) {
         if (const auto why = engine::why_no_control(arguments.dialect)) return tl::unexpected(*why);

@@ -30,7 +30,7 @@ void Gzip::add(std::string_view bytes, std::string& packed) {
     constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
     while (!bytes.empty()) {
         const std::string_view part = bytes.substr(0, std::min(bytes.size(), kMost));
-        // zlib does not change what it reads.
+        // zlib does not change what it reads, so the cast is safe.
         state_->stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
         state_->stream.avail_in = static_cast<uInt>(part.size());
         run(Z_NO_FLUSH, packed);
@@ -43,7 +43,7 @@ void Gzip::end(std::string& packed) {
     run(Z_FINISH, packed);
 }
 
-// Until zlib has nothing to give: then it has taken all.
+// The loop runs until zlib has no more output: then it has consumed all input.
 void Gzip::run(int flush, std::string& packed) {
     z_stream& stream = state_->stream;
     do {

@@ -6,7 +6,8 @@
 
 namespace gsim::apps {
 
-/// Packs bytes as they come, in the format of gzip (RFC 1952), without a time in it. Throws std::bad_alloc.
+/// Compressor of bytes as they come, in the gzip format (RFC 1952), without a time stamp. Throws
+/// std::bad_alloc.
 class Gzip {
   public:
     Gzip();
@@ -14,9 +15,9 @@ class Gzip {
     Gzip(const Gzip&) = delete;
     Gzip& operator=(const Gzip&) = delete;
 
-    /// Appends to `packed` what is ready.
+    /// Appends available output to `packed`.
     void add(std::string_view bytes, std::string& packed);
-    /// Appends the rest.
+    /// Appends the remainder.
     void end(std::string& packed);
 
   private:

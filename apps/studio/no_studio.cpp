@@ -1,4 +1,4 @@
-// Where there are no processes, there is no server of the studio.
+// Systems without processes have no server of the studio.
 
 #include "apps/programs.h"
 #include "apps/studio/studio_answer.h"

@@ -1,5 +1,5 @@
-// For WebAssembly, which the page itself runs and which has no zlib, and for gsim-first, which has no engine
-// of the page.
+// Stub for WebAssembly, which runs in the page itself and has no zlib, and for gsim-first, which has no
+// engine of the page.
 
 #include "apps/studio/view_page.h"
 

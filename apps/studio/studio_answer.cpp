@@ -41,7 +41,7 @@ constexpr std::size_t kLargestFile = std::size_t{2} << 30U;
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
 constexpr std::string_view kSamples = "samples/";
 
-/// Files of a page before those of the folder before the samples, all by the page's names for them.
+/// Files by the page's names for them, searched in this order: files of the page, the folder, the samples.
 class ServedFiles {
   public:
     explicit ServedFiles(os::BoundFolder folder) : folder_(std::move(folder)) {
@@ -65,7 +65,7 @@ class ServedFiles {
         return std::nullopt;
     }
 
-    /// The file on the disk, for programs that read it themselves; nothing where there is none.
+    /// Returns the file on the disk, for programs that read it themselves; empty if it does not exist.
     std::optional<std::string> on_disk(const std::string& name) const {
         if (given_.count(name) == 0 && folder_.tag_of(name)) return (folder_.path() / name).string();
         if (name.rfind(kSamples, 0) != 0) return std::nullopt;
@@ -76,7 +76,7 @@ class ServedFiles {
         return std::nullopt;
     }
 
-    /// Folders that may be read.
+    /// Returns the folders that may be read.
     std::vector<fs::path> folders() const {
         std::vector<fs::path> all{folder_.path()};
         for (const os::BoundFolder& samples : samples_) all.push_back(samples.path());
@@ -102,7 +102,7 @@ std::string all_of(std::FILE* stream) {
     }
 }
 
-/// The value of an option, empty: it is not given.
+/// Returns the value of an option; empty: it is not given.
 std::string value_of(std::span<const std::string> arguments, std::string_view option) {
     for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
         if (arguments[i] == option) return arguments[i + 1];
@@ -165,8 +165,8 @@ void write_message(std::string_view bytes) {
     std::fflush(stdout);
 }
 
-/// Keeps whole messages of segments in the file that is open as descriptor 3; the page gets those behind the
-/// first segments without what it can ask for.
+/// Storage of complete segment messages in the file that is open as descriptor 3. After the first segments
+/// the page gets messages without the data that it can request later.
 class Keeping {
   public:
     explicit Keeping(std::uint64_t whole) : whole_(whole), file_(::fdopen(kKept, "wb")) {
@@ -190,7 +190,8 @@ class Keeping {
     os::FileHandle file_;
 };
 
-/// "--keep-behind N": runs are kept, and pages get the first N segments whole; "" is the usual number.
+/// Returns the message sink. "--keep-behind N": runs are kept, and pages get the first N segments complete;
+/// "" selects the default number.
 studio::Post post_of(std::span<const std::string> arguments) {
     constexpr std::uint64_t kWhole = 1'000'000;
     const auto option = std::find(arguments.begin(), arguments.end(), "--keep-behind");
@@ -202,7 +203,7 @@ studio::Post post_of(std::span<const std::string> arguments) {
     };
 }
 
-/// Before anything that a page has sent is looked at.
+/// Confines the process before anything that a page has sent is read.
 tl::expected<void, std::string> confine(const ServedFiles& files, const std::string& module) {
     if (!module.empty()) return {};  // its code may reach what it likes
     return confine_to_folders(files.folders());
@@ -212,7 +213,7 @@ tl::expected<void, std::string> confine(const ServedFiles& files, const std::str
 
 int answer_studio(std::span<const std::string> arguments) {
     std::signal(SIGPIPE, SIG_DFL);
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // who asked has gone
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the requester has exited
     auto folder = os::BoundFolder::open(value_of(arguments, "--folder"));
     if (!folder) return usage_error(kName, folder.error());
     const std::string module = value_of(arguments, "--rcs");

@@ -103,8 +103,8 @@ tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
         [&] { return with_sentence(studio::post_run(run, state_->series(), state_->post())); });
 }
 
-// What came from a pipe can be read once: such a run is shown without its source. The text is that of the
-// file behind the run, as far as the run may still read it.
+// Input from a pipe can be read only once, so such a run is shown without its source. The text is that of the
+// file after the run, as far as the run may still read it.
 tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {

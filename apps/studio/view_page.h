@@ -9,22 +9,23 @@
 
 namespace gsim::apps {
 
-/// A page with a finished run in it, to look at in a browser (gsim-run --view; docs/studio.md).
+/// Page that contains a finished run, for viewing in a browser (gsim-run --view; docs/studio.md).
 class ViewPage {
   public:
-    /// Reads the page into which the run goes; before the program gives up its rights to read. The error is a
-    /// sentence: this build has no page.
+    /// Reads the page that will contain the run, before the program gives up its read permissions. The error
+    /// is a message: this build has no page.
     static tl::expected<std::unique_ptr<ViewPage>, std::string> open(const std::string& file);
     ViewPage(const ViewPage&) = delete;
     ViewPage& operator=(const ViewPage&) = delete;
     ~ViewPage();
 
-    /// Before run.go(); the run goes to a temporary file as it is made. The error is a sentence.
+    /// Attaches to the run before run.go(), so that it is written to a temporary file as it is made. The
+    /// error is a message.
     tl::expected<void, std::string> attach(engine::Run& run);
-    /// Behind it: the rest, with those sources of the run that can be read again. The error is a sentence,
-    /// such as that of a full disk.
+    /// Writes the remainder after the run, with those sources of the run that can be read again. The error is
+    /// a message, such as that of a full disk.
     tl::expected<void, std::string> finish(const engine::Run& run, const engine::Report& report);
-    /// Gives the file its name. The error is a sentence.
+    /// Gives the file its name. The error is a message.
     tl::expected<void, std::string> commit();
 
   private:

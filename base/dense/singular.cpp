@@ -5,9 +5,9 @@
 
 namespace gsim::base {
 
-// The matrix is made square with zeros, since Eigen's way to take other ones costs seven seconds of each
-// build. The iteration leaves rows and columns of zeros alone, so each direction that was added comes back as
-// it was and is left out.
+// The matrix is padded with zeros to a square, because Eigen's code for other matrices adds seven seconds to
+// each build. The iteration does not change rows and columns of zeros, so each added direction comes back as
+// it was and is omitted.
 SingularValues singular_values(const Eigen::MatrixXd& matrix) {
     const Eigen::Index size = std::max(matrix.rows(), matrix.cols());
     const Eigen::Index count = std::min(matrix.rows(), matrix.cols());

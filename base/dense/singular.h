@@ -4,7 +4,7 @@
 
 namespace gsim::base {
 
-/// Singular values, greatest first, and the right singular vectors as columns.
+/// Singular values, largest first, and the right singular vectors as columns.
 struct SingularValues {
     Eigen::VectorXd values;
     Eigen::MatrixXd right;

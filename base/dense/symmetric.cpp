@@ -6,8 +6,8 @@
 
 namespace gsim::base {
 
-// With its norm added to each eigenvalue, none is below 0: then they are the singular values, which
-// singular_values() has anyway. Eigen's own solver would take four seconds of each build.
+// The norm is added to each eigenvalue, so that none is below 0. Then they are the singular values, for which
+// singular_values() exists anyway. Eigen's own solver would add four seconds to each build.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
     const double shift = matrix.norm();
     Eigen::MatrixXd shifted = matrix;

@@ -4,19 +4,20 @@
 
 namespace gsim::base {
 
-// Decompositions of symmetric matrices of any size. All expect a square matrix with finite elements. What
-// Cholesky's takes reads the lower triangle alone.
+// Decompositions of symmetric matrices of any size. All expect a square matrix with finite elements. The
+// functions based on Cholesky's decomposition read only the lower triangle.
 
-/// The eigenvalues in ascending order, each to about 1e-16 of the greatest magnitude.
+/// Returns the eigenvalues in ascending order, each to about 1e-16 of the largest magnitude.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
-/// Whether all eigenvalues are above 0, by Cholesky's decomposition: much faster than the eigenvalues.
+/// True if all eigenvalues are above 0. Uses Cholesky's decomposition, which is much faster than computing
+/// the eigenvalues.
 bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
-/// The solution x of matrix * x = right for a positive definite matrix (Cholesky, LDL^T with pivots).
+/// Returns the solution x of matrix * x = right for a positive definite matrix (Cholesky, LDL^T with pivots).
 Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
-/// The inverse of a positive definite matrix.
+/// Returns the inverse of a positive definite matrix.
 Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix);
 
 }  // namespace gsim::base

@@ -34,7 +34,7 @@ tl::unexpected<FolderFault> fault(Kind kind, std::string sentence, ContentTag ta
     return tl::unexpected(FolderFault{kind, std::move(sentence), std::move(tag)});
 }
 
-/// `what` is done to the file of this name.
+/// Returns the error of an operation on the file `name`; `what` is its verb ("written").
 tl::unexpected<FolderFault> fault_of(int error, const char* what, const std::string& name) {
     if (error == ELOOP || error == ENOTDIR)
         return fault(Kind::name,
@@ -50,7 +50,7 @@ ContentTag tag_of_status(const struct stat& status) {
                        status.st_mtim.tv_nsec);
 }
 
-/// A folder on the way, or errno.
+/// Returns a folder along the path, or errno.
 tl::expected<Descriptor, int> open_folder(int above, const char* name) {
     Descriptor folder(::openat(above, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (folder.number() < 0) return tl::unexpected(errno);
@@ -59,7 +59,7 @@ tl::expected<Descriptor, int> open_folder(int above, const char* name) {
 
 enum class Missing { refuse, make };
 
-/// The folder in which the last part lies, and that part.
+/// The folder that contains the last part of the name, and that part.
 struct Place {
     Descriptor folder;
     std::string file;
@@ -73,7 +73,7 @@ tl::expected<Place, FolderFault> place_of(int root, const std::string& name, Mis
     for (std::size_t i = 0; i < parts->size(); ++i) {
         const int above = folder ? folder->number() : root;
         const char* const part = i == 0 ? "." : (*parts)[i - 1].c_str();
-        if (missing == Missing::make && i > 0) ::mkdirat(above, part, 0777);  // where it is not there
+        if (missing == Missing::make && i > 0) ::mkdirat(above, part, 0777);  // if it does not exist
         auto next = open_folder(above, part);
         if (!next) return fault_of(next.error(), what, name);
         folder.emplace(*std::move(next));
@@ -81,7 +81,7 @@ tl::expected<Place, FolderFault> place_of(int root, const std::string& name, Mis
     return Place{*std::move(folder), std::move(parts->back())};
 }
 
-/// A regular file, or errno. A pipe of that name holds nobody up.
+/// Returns a regular file, or errno. Does not block on a pipe of that name.
 tl::expected<Descriptor, int> open_regular(const Place& place, struct stat& status) {
     Descriptor file(
         ::openat(place.folder.number(), place.file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -101,7 +101,7 @@ bool write_all(int file, std::string_view piece) {
     return true;
 }
 
-/// A new file beside the one that is written, which goes when it is not given a name.
+/// A temporary file next to the file that is written. It is removed unless it gets the final name.
 class FileBeside {
   public:
     static tl::expected<FileBeside, int> make(int folder, const std::string& file) {
@@ -123,7 +123,7 @@ class FileBeside {
 
     int number() const { return file_.number(); }
     const std::string& name() const { return name_; }
-    /// It has got its name.
+    /// Keeps the file, which has its final name.
     void release() { name_.clear(); }
 
   private:
@@ -149,8 +149,8 @@ tl::unexpected<FolderFault> conflict(const Place& place, const std::string& name
                  there.value_or(""));
 }
 
-/// `error` is that of renaming it where there must be no such file; a link to it is made where the file
-/// system cannot.
+/// Gives the new file its name. `error` is that of renaming it to a name that must not exist; if the file
+/// system cannot do that, a link is made.
 tl::expected<void, FolderFault> take_new_name(const Place& place, FileBeside& beside, const std::string& name,
                                               int error) {
     const int folder = place.folder.number();
@@ -158,11 +158,11 @@ tl::expected<void, FolderFault> take_new_name(const Place& place, FileBeside& be
         error = ::linkat(folder, beside.name().c_str(), folder, place.file.c_str(), 0) == 0 ? -1 : errno;
     if (error == EEXIST) return conflict(place, name);
     if (error > 0) return fault_of(error, "written", name);
-    if (error == 0) beside.release();  // a link leaves the other name, which goes
+    if (error == 0) beside.release();  // a link leaves the temporary name to be removed
     return {};
 }
 
-/// The new file takes the name, whose file must be the one that is meant. What another program has put there
+/// Gives the new file the name, if the existing file is the expected one. Content that another program wrote
 /// at the last instant is put back.
 tl::expected<void, FolderFault> replace(const Place& place, FileBeside& beside, const std::string& name,
                                         const ContentTag& before) {
@@ -175,7 +175,7 @@ tl::expected<void, FolderFault> replace(const Place& place, FileBeside& beside, 
     const auto exchange = [&] { return rename_with(RENAME_EXCHANGE); };
     if (const int error = exchange(); error != 0) {
         if (error == ENOENT) return conflict(place, name);
-        // A network's file system may not exchange: what comes in between is lost there.
+        // A network file system may not support the exchange; a change in between is lost there.
         if (error != EINVAL && error != ENOSYS) return fault_of(error, "written", name);
         if (tag_at(place) != before) return conflict(place, name);
         if (const int plain = rename_with(0); plain != 0) return fault_of(plain, "written", name);
@@ -185,9 +185,9 @@ tl::expected<void, FolderFault> replace(const Place& place, FileBeside& beside, 
     struct stat replaced {};
     const bool is_meant = ::fstatat(folder, beside.name().c_str(), &replaced, AT_SYMLINK_NOFOLLOW) == 0 &&
                           S_ISREG(replaced.st_mode) && tag_of_status(replaced) == before;
-    if (is_meant) return {};  // what is beside now is the old content, and goes
+    if (is_meant) return {};  // the temporary file is the old content now; it is removed
     if (exchange() != 0) {
-        beside.release();  // its content is nobody's to remove
+        beside.release();  // its content belongs to another program
         return fault(Kind::other,
                      fmt::format("'{}' was changed meanwhile by another program, whose content is "
                                  "now in '{}'",
@@ -196,13 +196,13 @@ tl::expected<void, FolderFault> replace(const Place& place, FileBeside& beside, 
     return conflict(place, name);
 }
 
-/// An entry of a folder, and what it is by what the folder says of it: DT_REG, DT_DIR, or none of both.
+/// An entry of a folder, and its kind as the folder reports it: DT_REG, DT_DIR, or neither.
 struct Entry {
     std::string name;
     unsigned char kind;
 };
 
-/// Those that have a name to be asked for, by name.
+/// Returns the entries with a permitted name, sorted by name.
 std::vector<Entry> entries_of(int folder) {
     std::vector<Entry> found;
     const int copy = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -222,7 +222,7 @@ std::vector<Entry> entries_of(int folder) {
     return found;
 }
 
-/// Walks the folders below one, those of a depth before deeper ones, until it has had enough.
+/// Walk through the folders below a folder, level by level, until a limit is reached.
 class Walk {
   public:
     Walk(int root, std::size_t most) : root_(root), most_(most) {}
@@ -240,7 +240,7 @@ class Walk {
     std::vector<FoundFile> take() { return std::move(found_); }
 
   private:
-    /// `prefix`: of the names of what is in the folder.
+    /// Reads one folder; `prefix` precedes the names of its entries.
     void look_into(const std::string& prefix) {
         is_cut_ = ++folders_ > most_;
         const auto place = place_of(root_, prefix + "-", Missing::refuse, "read");

@@ -16,8 +16,8 @@
 
 namespace gsim::os {
 
-/// Which content of a file it is: another one where the file has been written meanwhile. A text without
-/// meaning, which is shown to others and comes back.
+/// Identifier of a file's content, which changes if the file is written meanwhile. An opaque text that
+/// clients receive and send back.
 using ContentTag = std::string;
 
 /// A file below a folder.
@@ -27,7 +27,7 @@ struct FoundFile {
     ContentTag tag;
 };
 
-/// Why a file of a folder is not read or written.
+/// Reason why a file of a folder is not read or written.
 struct FolderFault {
     enum class Kind : std::uint8_t {
         name,      ///< It is no name of a file that lies below the folder.
@@ -38,36 +38,37 @@ struct FolderFault {
     };
     Kind kind = Kind::other;
     std::string sentence;
-    ContentTag tag = {};  ///< Of a conflict: of the file that is there; empty: none.
+    ContentTag tag = {};  ///< For a conflict: tag of the existing file; empty: no file.
 };
 
-/// The regular files below a folder, hidden ones left out, and nothing else: names are walked one by one, and
-/// no link on the way is followed, wherever it leads. So it may be asked for names that somebody else has
-/// made. Copies are one.
+/// The regular files below a folder, without hidden ones, and nothing else. Names are resolved part by part,
+/// and no link along the path is followed, wherever it leads. So names from untrusted users may be used.
+/// Copies share one folder.
 class BoundFolder {
   public:
-    /// The error is a sentence that names the folder.
+    /// Opens the folder. The error is a message that names it.
     static tl::expected<BoundFolder, std::string> open(const std::filesystem::path& folder);
 
-    /// Up to `most` files of up to `most` folders, by name. Where there are more, or folders deeper than 32,
-    /// `cut` is set: those of upper folders are there, and of one folder the first ones.
+    /// Returns up to `most` files of up to `most` folders, sorted by name. Sets `cut` if more files exist, or
+    /// folders deeper than 32. Then the files of upper folders are included, and of one folder the first
+    /// ones.
     std::vector<FoundFile> list(std::size_t most, bool& cut) const;
-    /// The bytes of a file of up to `max_bytes`.
+    /// Returns the bytes of a file of up to `max_bytes`.
     tl::expected<std::string, FolderFault> read(const std::string& name, std::size_t max_bytes,
                                                 ContentTag* tag = nullptr) const;
-    /// Of the file as it is now; nothing where there is none.
+    /// Returns the tag of the file as it is now, or nothing if it does not exist.
     std::optional<ContentTag> tag_of(const std::string& name) const;
 
-    /// Writes the whole file and gives its tag: at every instant the name means the old content or the new
-    /// one, on the disk, too. `before` is the content that is replaced; empty: the file must be a new one,
-    /// for which missing folders are made. Where it is another one by now (another program has saved it)
-    /// that one stays: a conflict. `fill` is given what writes a piece, until false, and tells whether all
-    /// was there to write.
+    /// Writes the full file and returns its tag. At every instant the name refers to the old content or the
+    /// new one, also on the disk. `before` is the content that is replaced; if it is empty, the file must be
+    /// new, and missing folders are made for it. If another program has saved the file meanwhile, its content
+    /// stays: a conflict. `fill` gets a function that writes one part, to be called until it returns false.
+    /// `fill` returns true if all content was available.
     using WritePiece = std::function<bool(std::string_view)>;
     tl::expected<ContentTag, FolderFault> write(const std::string& name, const ContentTag& before,
                                                 const std::function<bool(const WritePiece&)>& fill) const;
 
-    /// The folder's own name, wherever links lead.
+    /// Returns the folder's own name, with links resolved.
     const std::filesystem::path& path() const { return *path_; }
 
   private:

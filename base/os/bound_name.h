@@ -9,9 +9,9 @@
 
 namespace gsim::os {
 
-/// The parts of a name of a file below a folder ("cell/table.toml"), which leads nowhere else: none is empty,
-/// "." or "..", hidden (begins with a dot), no UTF-8, or has a control character or a backslash. The error is
-/// a sentence.
+/// Returns the parts of the name of a file below a folder ("cell/table.toml") that cannot lead elsewhere. No
+/// part is empty, "." or "..", hidden (begins with a dot), invalid UTF-8, or has a control character or a
+/// backslash. The error is a message.
 tl::expected<std::vector<std::string>, std::string> parts_of_bound_name(std::string_view name);
 
 }  // namespace gsim::os

@@ -13,8 +13,8 @@
 
 #include "base/os/descriptor.h"
 
-// The interface as of landlock(7), with the rights of its later versions, whatever headers are installed: the
-// kernel is asked which of them it has.
+// The interface as of landlock(7), with the rights of its later versions, independent of the installed
+// headers. The kernel is queried for the rights that it has.
 namespace gsim::os {
 
 namespace {
@@ -93,7 +93,7 @@ class Ruleset {
         std::uint64_t allowed = rights & handled_;
         if (!S_ISDIR(found.st_mode)) allowed &= kOfFiles;
         const PathRule rule{allowed, opened.number()};
-        // What no file system holds (pipes by their name in /proc) takes no rule, and needs none.
+        // Objects outside any file system (pipes by their name in /proc) take no rule, and need none.
         if (::syscall(SYS_landlock_add_rule, number(), kRulePathBeneath, &rule, 0U) != 0 && errno != EBADFD)
             return cannot(fmt::format("allow '{}'", path.string()));
         return {};

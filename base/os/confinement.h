@@ -8,20 +8,21 @@
 
 namespace gsim::os {
 
-/// What a process may still reach of the file system. Names of what does not exist count for nothing.
+/// Sandbox policy: the parts of the file system that a process may still access. Names that do not exist are
+/// ignored.
 struct Allowed {
     std::vector<std::filesystem::path> read;     ///< Files, and folders with all in them.
     std::vector<std::filesystem::path> run;      ///< Folders with programs and what these read.
     std::vector<std::filesystem::path> written;  ///< Files that may be written but not made or removed.
-    /// Folders in which files may be made, written, renamed and removed.
+    /// Folders in which files may be created, written, renamed and removed.
     std::vector<std::filesystem::path> changed;
 };
 
-/// Gives up everything else for the rest of the process and for those that it begins: no other file can be
-/// opened, made, renamed or removed, no program run, no network port bound or connected to, and no process
-/// outside of it gets a signal. What is open stays open. There is no way back.
+/// Gives up all other access for this process and its children, until they end. No other file can be opened,
+/// made, renamed or removed, no program run, no network port bound or connected to. No process outside of it
+/// gets a signal. Everything that is open stays open. This cannot be undone.
 /// Source: landlock(7) of Linux.
-/// False where the system has no such thing. The error is a sentence: it has, and refuses.
+/// Returns false if the system has no such facility. The error is a message: the system has it, and refuses.
 tl::expected<bool, std::string> confine(const Allowed& allowed);
 
 }  // namespace gsim::os

@@ -10,7 +10,7 @@ namespace gsim::os {
 
 namespace {
 
-// A wait is longer than the coarse clock's step, and short enough to add up without overflow.
+// Wait that is longer than the coarse clock's step, and short enough to add up without overflow.
 constexpr double kLeastWait_s = 0.01;
 constexpr double kMostWait_s = 1e6;
 constexpr double kNanoseconds = 1e9;

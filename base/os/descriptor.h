@@ -6,7 +6,7 @@
 
 namespace gsim::os {
 
-/// A file descriptor that is closed when it goes.
+/// A file descriptor that is closed when this object is destroyed.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -15,7 +15,7 @@ class Descriptor {
     ~Descriptor() { close(); }
 
     int number() const { return number_; }
-    /// Somebody else closes it from now on.
+    /// Gives up the descriptor to another owner.
     void release() { number_ = -1; }
     void close() {
         if (number_ >= 0) ::close(std::exchange(number_, -1));

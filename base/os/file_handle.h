@@ -9,7 +9,7 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Closes its file at the end; errors of writing are for its owner to ask before.
+/// A file that is closed on destruction; its owner must check for write errors before.
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 }  // namespace gsim::os

@@ -11,7 +11,7 @@ namespace gsim::os {
 
 namespace {
 
-// A descriptor that reads and writes nothing, for which a file needs no permission.
+// Flags of a descriptor that reads and writes nothing, for which a file needs no permission.
 #ifdef O_PATH
 constexpr int kHold = O_PATH | O_CLOEXEC;
 #else
@@ -23,7 +23,7 @@ struct Held {
     std::shared_ptr<const Descriptor> descriptor;
 };
 
-// Nothing where there is no such file: errno says why.
+// Returns nothing if no such file exists; errno gives the reason.
 std::optional<Held> hold(const std::filesystem::path& path) {
     Held held;
     held.descriptor = std::make_shared<const Descriptor>(::open(path.c_str(), kHold));
@@ -32,7 +32,7 @@ std::optional<Held> hold(const std::filesystem::path& path) {
     return held;
 }
 
-// Empty where it cannot be told.
+// Returns an empty path if it is unknown.
 std::filesystem::path place_of(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);

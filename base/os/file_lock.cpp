@@ -35,15 +35,15 @@ fs::path lock_name(const fs::path& file) {
     return found.parent_path() / fmt::format(".{}.lock", found.filename().string());
 }
 
-// Of another user's it may be that it can only be read, which is enough but on some network file systems.
+// A lock of another user may be readable only, which is enough except on some network file systems.
 int open_lock(const fs::path& lock) {
     constexpr int kFlags = O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     const int descriptor = ::open(lock.c_str(), O_RDWR | kFlags, 0666);
     return descriptor < 0 && errno == EACCES ? ::open(lock.c_str(), O_RDONLY | kFlags, 0666) : descriptor;
 }
 
-// Its owner removes the file before others get the lock: what they have got then has no name, and is not the
-// lock (EWOULDBLOCK). As errno; 0: it is.
+// Returns errno, or 0 if the file is still the lock. Its owner removes the file before others get the lock.
+// Their lock then has no name, and is not the lock (EWOULDBLOCK).
 int look_for_name(int descriptor, const fs::path& lock) {
     struct stat open {};
     struct stat named {};
@@ -54,7 +54,7 @@ int look_for_name(int descriptor, const fs::path& lock) {
 
 }  // namespace
 
-// The error is that of errno; EWOULDBLOCK: another one has it.
+// Returns the error of errno; EWOULDBLOCK: another one has the lock.
 tl::expected<FileLock, int> FileLock::try_once(const fs::path& path) {
     const SignalsHeld held;
     auto kept = TemporaryName::kept(path);

@@ -11,13 +11,13 @@
 
 namespace gsim::os {
 
-/// The right to change a file: of all that ask for it by this class one at a time has it, until the object
-/// goes or the process ends. The lock is on a file beside it, .NAME.lock, as the file itself is replaced by
-/// each change; it goes with the lock, and one that a killed process has left behind holds nobody up.
+/// The right to change a file. Only one of all users of this class has it at a time, until the object is
+/// destroyed or the process ends. The lock is on a file next to it, .NAME.lock, because the file itself is
+/// replaced by each change. It is removed with the lock. One that a killed process has left blocks nobody.
 class FileLock {
   public:
-    /// Waits that long for it. What is no regular file needs no lock and gets an empty one. The error is a
-    /// sentence that names the file.
+    /// Waits that long for the lock. Anything but a regular file needs no lock and gets an empty one. The
+    /// error is a message that names the file.
     static tl::expected<FileLock, std::string> get(const std::filesystem::path& file,
                                                    std::chrono::milliseconds longest_wait);
 
@@ -30,7 +30,7 @@ class FileLock {
     static tl::expected<FileLock, int> try_once(const std::filesystem::path& lock);
 
     Descriptor descriptor_;
-    TemporaryName name_;  // goes first, while nobody else can have the lock
+    TemporaryName name_;  // destroyed first, while no one else can have the lock
 };
 
 }  // namespace gsim::os

@@ -28,7 +28,7 @@ const char* kind_of(mode_t mode) {
     return "a device";
 }
 
-// What is wrong with an open file; empty: nothing.
+// Returns the error of an open file; empty if it has none.
 std::string find_fault(int descriptor, NamedBy named_by) {
     struct stat info {};
     if (::fstat(descriptor, &info) != 0) return reason(errno);
@@ -45,7 +45,8 @@ std::string cannot_read_input(const std::filesystem::path& path, const std::stri
 }  // namespace
 
 tl::expected<InputFile, std::string> open_input(const std::filesystem::path& path, NamedBy named_by) {
-    // Without waiting it is found out what it is; a pipe of the command line is waited for instead.
+    // The file is opened without waiting to find out its type; a pipe of the command line is waited for
+    // instead.
     const int waiting = named_by == NamedBy::command_line ? 0 : O_NONBLOCK;
     const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | waiting);
     if (number < 0) return tl::unexpected(reason(errno));

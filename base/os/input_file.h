@@ -10,32 +10,34 @@
 
 namespace gsim::os {
 
-/// Who names a file, and so what may be opened by that name for reading.
+/// Source of a file name, which decides what may be opened by that name for reading.
 enum class NamedBy {
     a_file,        ///< A file or a script: regular files alone. Opening never waits.
-    command_line,  ///< Who runs the program: pipes (`<(...)`, FIFOs) and devices, too, whose data are waited
-                   ///< for.
+    command_line,  ///< The user of the program: also pipes (`<(...)`, FIFOs) and devices, whose data are
+                   ///< waited for.
 };
 
-/// The most bytes of a small file written by hand.
+/// Largest size of a small file written by hand, in bytes.
 inline constexpr std::size_t kMaxTextFileBytes = std::size_t{4} << 20U;
 
 /// A file that is open for reading bytes.
 using InputFile = FileHandle;
 
-/// Opens a file for reading, all that the programs read but standard input. What is opened is what is looked
-/// at, so that nothing can take its place in between. The error says why not, without the name: "No such file
-/// or directory".
+/// Opens a file for reading; the programs read everything but standard input by this function. The check is
+/// made on the opened file, so that no other file can take its place in between. The error gives the reason
+/// without the name: "No such file or directory".
 tl::expected<InputFile, std::string> open_input(const std::filesystem::path& path, NamedBy named_by);
 
-/// All bytes of a file of up to `max_bytes`, whole MiB. The error is a sentence with its name.
+/// Returns all bytes of a file of up to `max_bytes`, a multiple of 1 MiB. The error is a message with its
+/// name.
 tl::expected<std::string, std::string> read_input(const std::filesystem::path& path, NamedBy named_by,
                                                   std::size_t max_bytes);
 
-/// The sentence on a file that has more than `max_bytes`.
+/// Returns the message for a file that has more than `max_bytes`.
 std::string too_large(const std::filesystem::path& path, std::size_t max_bytes);
 
-/// The bytes of a small file written by hand (at most 4 MiB). The error is a sentence that names the file.
+/// Returns the bytes of a small file written by hand (at most 4 MiB). The error is a message that names the
+/// file.
 tl::expected<std::string, std::string> read_text_file(const std::filesystem::path& path,
                                                       NamedBy named_by = NamedBy::a_file);
 

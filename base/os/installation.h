@@ -8,19 +8,21 @@
 
 namespace gsim::os {
 
-/// The folder of the program that runs, wherever links to it are; empty where the system does not tell.
+/// Returns the folder of the running program, wherever links to it are; empty if the system does not report
+/// it.
 std::filesystem::path program_folder();
 
-/// Where an installation with the program `bin_folder`/gsim keeps what programs read (samples, the library in
-/// Lua), relative to the program: an installation may be moved, and a build folder looks like one.
+/// Returns the folders in which an installation with the program `bin_folder`/gsim keeps the files that
+/// programs read (samples, the library in Lua). They are relative to the program, because an installation may
+/// be moved, and a build folder looks like one.
 std::vector<std::filesystem::path> data_folders(const std::filesystem::path& bin_folder);
 
-/// A program that others call (gsim-serve): beside the program that runs, as in a build folder, or where an
-/// installation keeps it. The error is a sentence that says where it was looked for.
+/// Returns a program that others call (gsim-serve): next to the running program, as in a build folder, or
+/// where an installation keeps it. The error is a message with the searched positions.
 tl::expected<std::filesystem::path, std::string> helper_program(const std::filesystem::path& bin_folder,
                                                                 const std::string& name);
 
-/// Where it keeps controller modules.
+/// Returns its folders of controller modules.
 std::vector<std::filesystem::path> module_folders(const std::filesystem::path& bin_folder);
 
 }  // namespace gsim::os

@@ -4,8 +4,8 @@
 
 namespace gsim::os {
 
-/// A nameless file in memory, to be written and read; null with errno where the system gives none. `name` is
-/// for those who look at the process.
+/// Returns a nameless file in memory, for writing and reading, or null with errno if the system provides
+/// none. `name` is shown to those who inspect the process.
 FileHandle file_in_memory(const char* name);
 
 }  // namespace gsim::os

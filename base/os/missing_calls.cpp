@@ -1,5 +1,5 @@
-// What the C library of emscripten declares and does not have: no process can be begun, no memory be a file,
-// and nothing comes after a time. Callers say so as they do where a system refuses.
+// Functions that the C library of emscripten declares but lacks: no process can be started, no memory can be
+// a file, and no timer expires. Callers report this as they do if a system refuses.
 #include <cerrno>
 #include <csignal>
 #include <ctime>

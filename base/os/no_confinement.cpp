@@ -1,5 +1,5 @@
-// In place of confinement.cpp, where the program is a guest of WebAssembly: it has no system to ask, and
-// reaches what its host hands in.
+// Replaces confinement.cpp in the WebAssembly build. It has no system to query, and accesses only what its
+// host passes in.
 #include "base/os/confinement.h"
 
 namespace gsim::os {

@@ -24,7 +24,7 @@ struct Created {
     TemporaryName name;
 };
 
-// A new file beside `path`, for writing.
+// Creates a new file next to `path`, for writing.
 Created create_beside(const fs::path& path) {
     const SignalsHeld held;
     for (int i = 0; i < kMaxTries; ++i) {
@@ -38,12 +38,12 @@ Created create_beside(const fs::path& path) {
     return {};
 }
 
-// What no disk is (a pipe, a terminal) has nothing to wait for.
+// Anything but a disk file (a pipe, a terminal) has nothing to wait for.
 int reach_disk(int descriptor) {
     return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
 }
 
-// A name is on the disk when its folder is. One that may not be read is left to the system.
+// A name is on the disk when its folder is. A folder that may not be read is left to the system.
 int reach_disk_of_folder(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -87,7 +87,7 @@ tl::expected<void, std::string> OutputFile::open_directly() {
     return {};
 }
 
-// A stream of its own, so that closing it tells of every error and leaves standard output open.
+// A separate stream is used, so that closing it reports every error and leaves standard output open.
 tl::expected<void, std::string> OutputFile::open_standard_output() {
     shown_name_ = "standard output";
     const int descriptor = ::dup(STDOUT_FILENO);
@@ -122,7 +122,7 @@ bool OutputFile::write(std::string_view text) {
     return error_ == 0;
 }
 
-// The first failure of all that was written, as errno.
+// Returns the first error of all writes, as errno.
 int OutputFile::close(Reach reach) {
     if (error_ == 0 && std::ferror(stream_.get()) != 0) error_ = EIO;
     if (error_ == 0 && std::fflush(stream_.get()) != 0) error_ = errno;
@@ -137,7 +137,7 @@ tl::expected<void, std::string> OutputFile::settle(Reach reach) {
     return {};
 }
 
-// As errno.
+// Returns the error as errno.
 int OutputFile::rename() const {
     const char* from = temporary_.name().c_str();
     if (existing_ == Existing::keep) {

@@ -13,7 +13,7 @@ namespace gsim::os {
 
 namespace {
 
-/// The signals and the group of a process that is begun.
+/// The signals and the group of a process that is started.
 class SpawnAttributes {
   public:
     explicit SpawnAttributes(ProcessGroup group) {
@@ -24,7 +24,7 @@ class SpawnAttributes {
         sigset_t usual = none;
         sigaddset(&usual, SIGPIPE);
         ::posix_spawnattr_setsigdefault(&attributes_, &usual);
-        ::posix_spawnattr_setpgroup(&attributes_, 0);  // one that has its own number
+        ::posix_spawnattr_setpgroup(&attributes_, 0);  // a group with its own number
         const int own = group == ProcessGroup::own ? POSIX_SPAWN_SETPGROUP : 0;
         ::posix_spawnattr_setflags(&attributes_,
                                    static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | own));

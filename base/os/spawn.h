@@ -10,7 +10,7 @@
 
 namespace gsim::os {
 
-/// What becomes of the descriptors of a process that is begun.
+/// Changes to the descriptors of a process that is started.
 class SpawnActions {
   public:
     SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
@@ -18,11 +18,11 @@ class SpawnActions {
     SpawnActions& operator=(const SpawnActions&) = delete;
     ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
 
-    /// In the child `descriptor` is what `ours` is here.
+    /// Makes `descriptor` in the child what `ours` is here.
     void redirect(int ours, int descriptor) {
         ::posix_spawn_file_actions_adddup2(&actions_, ours, descriptor);
     }
-    /// In the child there is nothing to read from `descriptor`.
+    /// Gives the child no data to read from `descriptor`.
     void read_nothing(int descriptor);
     const posix_spawn_file_actions_t* get() const { return &actions_; }
 
@@ -30,16 +30,17 @@ class SpawnActions {
     posix_spawn_file_actions_t actions_{};
 };
 
-/// Whether what a terminal sends to all that was begun there (Ctrl+C) reaches a process that is begun.
+/// Process group of a started process. It decides if signals of a terminal to all processes started there
+/// (Ctrl+C) reach it.
 enum class ProcessGroup : std::uint8_t { ours, own };
 
-/// Begins a process: a program, looked for in PATH unless its name has a slash, and its arguments. No signal
-/// is blocked in it, and SIGPIPE ends it, whatever holds here; other signals that are ignored here (nohup)
-/// are so there. The error is that of errno.
+/// Starts a process: a program, searched in PATH unless its name has a slash, and its arguments. In the child
+/// no signal is blocked, and SIGPIPE ends it, whatever holds here. Other signals that are ignored here
+/// (nohup) are ignored there. The error is that of errno.
 tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions,
                                ProcessGroup group = ProcessGroup::ours);
 
-/// Waits until a child ends; its status as of waitpid(), or errno.
+/// Waits until a child ends and returns its status as of waitpid(), or errno.
 tl::expected<int, int> wait_for(pid_t child);
 
 }  // namespace gsim::os

@@ -2,9 +2,9 @@
 
 namespace gsim::os {
 
-/// Where a standard stream was closed before the program began, the next file that is opened would take its
-/// place and get what is printed. From here on such a stream is there, and fails. For main() alone, first of
-/// all.
+/// Opens the standard streams that were closed before the program began. Otherwise the next opened file would
+/// take such a place and get the printed text. After this call such a stream exists, and fails. Only for
+/// main(), before anything else.
 void hold_standard_streams();
 
 }  // namespace gsim::os

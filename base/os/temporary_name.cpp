@@ -13,11 +13,11 @@ namespace gsim::os {
 namespace {
 
 constexpr std::array kEnding = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
-constexpr int kNotTold = 2;                        // as where any output cannot be written
+constexpr int kNotTold = 2;                        // same status as for unwritable output
 constexpr std::size_t kMaxRegisteredNames = 4096;  // more than a process may have files open, as a rule
 
-// The only state of the program that no object holds: a signal handler is given nothing but a number, and may
-// look at nothing but lock-free atomics. A name beyond kMaxRegisteredNames is not removed at a signal.
+// The only global state of the program: a signal handler gets only a number, and may access only lock-free
+// atomics. A name beyond kMaxRegisteredNames is not removed at a signal.
 std::array<std::atomic<const char*>, kMaxRegisteredNames> registered_names{};
 std::atomic<pid_t> registering_process = 0;
 std::atomic<const char*> words_at_cpu_signal = nullptr;
@@ -52,7 +52,7 @@ void handle(int signal, void (*handler)(int)) {
 }  // namespace
 
 void remove_temporaries() {
-    // A child that was forked has the same list, of files that are its parent's.
+    // A forked child has the same list, of files that belong to its parent.
     if (registering_process.load() != ::getpid()) return;
     for (const auto& slot : registered_names) {
         if (const char* name = slot.load()) ::unlink(name);
@@ -69,7 +69,7 @@ void end_at_cpu_signal(const char* last_words, int status) {
     status_at_cpu_signal = status;
     words_at_cpu_signal = last_words;
     if (last_words == nullptr) return;
-    std::signal(SIGXCPU, SIG_DFL);  // also where it was ignored
+    std::signal(SIGXCPU, SIG_DFL);  // also if it was ignored
     handle(SIGXCPU, remove_and_end);
 }
 

@@ -9,20 +9,20 @@
 
 namespace gsim::os {
 
-/// From here on the signals that end a program (SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU) remove
-/// the files of all TemporaryNames first; the program still ends by the signal. Those that were ignored stay
-/// so. A file that outgrows `ulimit -f` becomes an error of writing. For main() alone, once.
+/// Makes the signals that end a program (SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU) remove the files
+/// of all TemporaryNames first; the program still ends by the signal. Signals that were ignored stay so. A
+/// file that exceeds `ulimit -f` becomes a write error. Only for main(), once.
 void remove_temporaries_at_signals();
 
-/// Removes the files of all TemporaryNames that there are after remove_temporaries_at_signals(), for who ends
-/// the program without leaving its functions. May be called where a signal is handled.
+/// Removes the files of all TemporaryNames that exist after remove_temporaries_at_signals(). For code that
+/// ends the program without leaving its functions. May be called in a signal handler.
 void remove_temporaries();
 
-/// What SIGXCPU means from here on: null, what it always does; else this is written to standard error, and
-/// the program ends with `status`. The text must stay.
+/// Sets the action of SIGXCPU from now on. Null: its usual action. Otherwise this text is written to standard
+/// error, and the program ends with `status`. The text must stay valid.
 void end_at_cpu_signal(const char* last_words, int status);
 
-/// Keeps those signals back as long as it lives, in this thread.
+/// Guard that holds those signals back in this thread as long as it lives.
 class SignalsHeld {
   public:
     SignalsHeld();
@@ -34,8 +34,9 @@ class SignalsHeld {
     sigset_t before_;
 };
 
-/// A file that is to be gone when this is, however the program ends but by SIGKILL or a crash. Create the
-/// file and this one under one SignalsHeld; its name is made before, so that nothing can fail in between.
+/// A file that is removed when this object is destroyed, however the program ends, except by SIGKILL or a
+/// crash. Create the file and this object under one SignalsHeld. Its name is made before, so that no step can
+/// fail in between.
 class TemporaryName {
   public:
     using Kept = std::unique_ptr<const std::string>;
@@ -47,16 +48,16 @@ class TemporaryName {
     TemporaryName& operator=(TemporaryName&&) = delete;
     ~TemporaryName();
 
-    /// Of one that is empty: takes over another's file.
+    /// Takes over the file of another object; this one must be empty.
     void take(TemporaryName&& other) { name_ = std::move(other.name_); }
 
     bool empty() const { return name_ == nullptr; }
     const std::string& name() const { return *name_; }
-    /// The file is there no more, or is to stay.
+    /// Gives up the file, which no longer exists or is to stay.
     void release();
 
   private:
-    Kept name_;  // a handler reads it where it lies
+    Kept name_;  // a signal handler reads it in place
 };
 
 }  // namespace gsim::os

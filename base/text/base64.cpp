@@ -7,7 +7,7 @@ namespace {
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::size_t kGroup = 3;
 
-/// Up to three bytes as four digits; those that no byte stands behind are '='.
+/// Writes up to three bytes as four digits; digits without a byte are '='.
 void put_group(std::string_view bytes, std::string& text) {
     unsigned value = 0;
     for (std::size_t i = 0; i < kGroup; ++i)
@@ -18,7 +18,8 @@ void put_group(std::string_view bytes, std::string& text) {
     }
 }
 
-/// Three bytes of four digits, fewer where padding stands at their end; false: they are none.
+/// Reads three bytes from four digits, fewer if padding is at their end. Returns false if they are not such
+/// digits.
 bool take_group(std::string_view digits, std::string& bytes) {
     const std::size_t padding = digits.ends_with("==") ? 2 : digits.ends_with('=') ? 1 : 0;
     unsigned value = 0;

@@ -6,11 +6,11 @@
 
 namespace gsim::text {
 
-/// Bytes as base64 (RFC 4648, section 4), in pieces: what is left of three bytes waits for the next piece, or
-/// for end().
+/// Encoder of bytes as base64 (RFC 4648, section 4), in parts: the remainder of three bytes waits for the
+/// next part, or for end().
 class Base64 {
   public:
-    /// Appends to `text`.
+    /// Appends the digits to `text`.
     void add(std::string_view bytes, std::string& text);
     void end(std::string& text);
 
@@ -18,7 +18,7 @@ class Base64 {
     std::string rest_;
 };
 
-/// The bytes of base64 with its padding; nothing where it is none.
+/// Returns the bytes of base64 with its padding, or nothing if the text is not base64.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
 }  // namespace gsim::text

@@ -10,7 +10,7 @@ namespace gsim::text {
 
 namespace {
 
-/// A whole number at the end of `text` behind a colon, which is taken off together with it.
+/// Returns an integer at the end of `text` after a colon, and removes both from `text`.
 std::optional<std::uint32_t> take_last_number(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos || colon + 1 == text.size()) return std::nullopt;
@@ -21,7 +21,8 @@ std::optional<std::uint32_t> take_last_number(std::string_view& text) {
     return value;
 }
 
-/// "name:12:7" or "name:12" into the diagnostic; false where the text is no such place.
+/// Reads "name:12:7" or "name:12" into the diagnostic. Returns false if the text is not such a source
+/// location.
 bool take_place(std::string_view head, Diagnostic& diagnostic) {
     const std::optional<std::uint32_t> last = take_last_number(head);
     if (!last) return false;
@@ -44,7 +45,7 @@ bool take_severity(std::string_view& rest, Diagnostic& diagnostic) {
     return false;
 }
 
-/// The file of "cannot read 'name': why"; empty where the sentence is another one.
+/// Returns the file of "cannot read 'name': why"; empty if the message is another one.
 std::string_view unreadable_file(std::string_view sentence) {
     constexpr std::string_view kHead = "cannot read '";
     const std::size_t end = sentence.find("': ");
@@ -82,7 +83,8 @@ std::string to_text(const Diagnostic& diagnostic) {
 Diagnostic diagnostic_of(DiagnosticKind kind, std::string_view sentence) {
     Diagnostic diagnostic;
     diagnostic.kind = kind;
-    // A name may hold ": ", so each of them is tried, the first one that ends a place wins.
+    // A name may contain ": ", so each occurrence is tried; the first one that ends a source location is
+    // used.
     for (std::size_t end = sentence.find(": "); end != std::string_view::npos;
          end = sentence.find(": ", end + 1)) {
         if (!take_place(sentence.substr(0, end), diagnostic)) continue;

@@ -13,30 +13,30 @@ enum class Severity : std::uint8_t {
 #include "base/kinds/severity.def"
 };
 
-/// "error", "warning", "note"
+/// Returns "error", "warning" or "note".
 std::string_view name(Severity severity);
 
-/// One thing to tell about an input or a run. Lines and columns count from 1, columns in bytes; 0: not known.
+/// One message about an input or a run. Lines and columns count from 1, columns in bytes; 0: not known.
 struct Diagnostic {
     Severity severity = Severity::error;
     DiagnosticKind kind = DiagnosticKind::warning;
-    std::string file = {};  ///< As it was named; empty where there is none.
+    std::string file = {};  ///< Name as given; empty if no file applies.
     std::uint32_t line = 0;
     std::uint32_t column = 0;
-    std::uint32_t end_column = 0;  ///< Of the first byte behind what is meant, on the same line.
-    std::string text = {};         ///< A sentence, without its full stop.
-    std::string hint = {};         ///< What to do about it; empty where nothing is known.
-    std::string excerpt = {};      ///< The line and a caret below, for people; whole lines or empty.
+    std::uint32_t end_column = 0;  ///< Column of the first byte after the text meant, on the same line.
+    std::string text = {};         ///< Message, without its full stop.
+    std::string hint = {};         ///< Suggested fix; empty if none is known.
+    std::string excerpt = {};      ///< The line and a caret below, for people; complete lines or empty.
 };
 
-/// "part.nc:12:7", with as much of it as is known; empty without a file.
+/// Returns "part.nc:12:7", with as much of it as is known; empty without a file.
 std::string place_of(const Diagnostic& diagnostic);
 
-/// "part.nc:12:7: error: text; hint" and the excerpt, in whole lines.
+/// Returns "part.nc:12:7: error: text; hint" and the excerpt, in complete lines.
 std::string to_text(const Diagnostic& diagnostic);
 
-/// Reads what our readers of files say, "name.toml:12:7: error: text" with a place and a severity that may be
-/// missing, into a diagnostic of this kind.
+/// Reads an error of our file readers, "name.toml:12:7: error: text", into a diagnostic of this kind. Source
+/// location and severity may be missing.
 Diagnostic diagnostic_of(DiagnosticKind kind, std::string_view sentence);
 
 }  // namespace gsim::text

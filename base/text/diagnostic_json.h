@@ -7,8 +7,8 @@
 
 namespace gsim::text {
 
-/// Diagnostics as reports have them: file, line, column, end_column, severity, code, text, hint; what is not
-/// known is null.
+/// Returns diagnostics as reports have them: file, line, column, end_column, severity, code, text, hint.
+/// Unknown values are null.
 nlohmann::ordered_json to_json(std::span<const Diagnostic> diagnostics);
 
 }  // namespace gsim::text

@@ -7,10 +7,10 @@
 
 namespace gsim::text {
 
-/// What a diagnostic is about. Each kind has a code that stays the same from release to release
+/// Subject of a diagnostic. Each kind has a code that stays the same from release to release
 /// (docs/diagnostics.md), so that other programs can sort and suppress by it.
 enum class DiagnosticKind : std::uint8_t {
-    // Of a program's text.
+    // Kinds for a program's text.
     character,
     number,
     syntax,
@@ -31,7 +31,7 @@ enum class DiagnosticKind : std::uint8_t {
     too_many_errors,
     units,
     dialect,
-    // Of a run.
+    // Kinds for a run.
     axis_limit,
     zone,
     unreachable,
@@ -58,19 +58,19 @@ enum class DiagnosticKind : std::uint8_t {
     run_limit,
     passes,
     warning,
-    // Of a cell.
+    // Kinds for a cell.
     collision,
     near_miss,
-    // Of the process that cuts (jet, plasma, laser, spindle).
+    // Kinds for the process that cuts (jet, plasma, laser, spindle).
     rapid_with_process_on,
     dwell_with_process_on,
     end_with_process_on,
     feed_with_process_off,
     feed_with_spindle_off,
-    // Of the motors.
+    // Kinds for the motors.
     motor_peak,
     motor_continuous,
-    // Of other input, of outputs and of what was asked for.
+    // Kinds for other input, for outputs and for requests.
     usage,
     file,
     input_file,
@@ -79,20 +79,20 @@ enum class DiagnosticKind : std::uint8_t {
     internal,
 };
 
-/// A kind with its code and what it means.
+/// A kind with its code and its meaning.
 struct DiagnosticKindEntry {
     DiagnosticKind kind;
     std::string_view code;     ///< "axis-limit"
-    std::string_view meaning;  ///< A sentence for people, without its full stop.
+    std::string_view meaning;  ///< Text for people, without its full stop.
 };
 
-/// All kinds, in the order of the enumeration.
+/// Returns all kinds, in the order of the enumeration.
 std::span<const DiagnosticKindEntry> diagnostic_kinds();
 
-/// "axis-limit"
+/// Returns the code, such as "axis-limit".
 std::string_view code_of(DiagnosticKind kind);
 
-/// The kind with this code; nothing where there is none.
+/// Returns the kind with this code, or nothing if no kind has it.
 std::optional<DiagnosticKind> diagnostic_kind(std::string_view code);
 
 }  // namespace gsim::text

@@ -2,7 +2,7 @@
 
 namespace gsim::text {
 
-/// An ASCII digit, whatever the locale.
+/// True if c is an ASCII digit, independent of the locale.
 constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }

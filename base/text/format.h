@@ -8,9 +8,9 @@
 
 namespace gsim::text {
 
-/// Appends text formatted by fmt's rules. append_format() checks the format at compile time and calls this:
-/// fmt::format_to() and fmt::join() instantiate the whole formatter, a second and more of each unit that has
-/// one.
+/// Appends text formatted by fmt's rules. append_format() checks the format at compile time and calls this.
+/// fmt::format_to() and fmt::join() instantiate the complete formatter, which takes a second and more of each
+/// unit that has one.
 void append_formatted(std::string& out, fmt::string_view format, fmt::format_args values);
 void append_formatted(fmt::memory_buffer& out, fmt::string_view format, fmt::format_args values);
 

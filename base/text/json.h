@@ -18,7 +18,7 @@ Json parse_json(std::istream& text);
 template <typename Json>
 Json try_parse_json(std::string_view text);
 
-// The parser is instantiated once, in json.cpp: it takes a second of each unit that instantiates it.
+// The parser is instantiated once, in json.cpp, because it takes a second of each unit that instantiates it.
 extern template nlohmann::json parse_json(std::string_view);
 extern template nlohmann::ordered_json parse_json(std::string_view);
 extern template nlohmann::json parse_json(std::istream&);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kUnits = 1e9;  // of the last digit shown
 
-// `units` billionths with at most 15 digits, for which cutting off zeros gives the shortest form.
+// Appends `units` billionths with at most 15 digits, for which removing zeros gives the shortest form.
 void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
     constexpr std::uint32_t kPerOne = 1'000'000'000;
     if (units < 0) {
@@ -36,7 +36,7 @@ void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
 }  // namespace
 
 double rounded(double value) {
-    // Beyond 1e6 a double has no more than nine digits behind the point anyway.
+    // Beyond 1e6 a double has no more than nine digits after the point anyway.
     if (!std::isfinite(value) || std::abs(value) >= 1e6) return value;
     return std::round(value * kUnits) / kUnits + 0.0;
 }

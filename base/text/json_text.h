@@ -6,7 +6,8 @@
 
 namespace gsim::text {
 
-/// The value rounded to 1e-9, never -0: what the outputs show, so that they do not depend on the last bits.
+/// Returns the value rounded to 1e-9, never -0. Outputs show this value, so that they do not depend on the
+/// last bits.
 double rounded(double value);
 
 /// Appends the text as it is.
@@ -14,8 +15,7 @@ inline void append_text(fmt::memory_buffer& out, std::string_view text) {
     out.append(text.data(), text.data() + text.size());
 }
 
-/// Appends rounded(value) in its shortest decimal form, such as 254 or 0.000000001; null where it is not
-/// finite.
+/// Appends rounded(value) in its shortest decimal form, such as 254 or 0.000000001; null if it is not finite.
 void append_number(fmt::memory_buffer& out, double value);
 
 /// Appends text as a JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.

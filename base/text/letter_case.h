@@ -5,9 +5,9 @@
 
 namespace gsim::text {
 
-/// Upper case, of ASCII letters alone and whatever the locale.
+/// Returns the text in upper case; changes only ASCII letters, whatever the locale.
 std::string upper(std::string_view text);
-/// Lower case, likewise.
+/// Returns the text in lower case, likewise.
 std::string lower(std::string_view text);
 
 }  // namespace gsim::text

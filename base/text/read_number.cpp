@@ -10,7 +10,7 @@ namespace gsim::text {
 
 namespace {
 
-/// Whether a number has a digit other than 0 in front of its exponent. "inf" and "nan" have none.
+/// True if a number has a digit other than 0 before its exponent; false for "inf" and "nan".
 bool has_value(const char* begin, const char* end) {
     const char* const exponent = std::find_if(begin, end, [](char c) { return c == 'e' || c == 'E'; });
     return std::any_of(begin, exponent, [](char c) { return c >= '1' && c <= '9'; });
@@ -22,7 +22,8 @@ std::from_chars_result read_number(const char* begin, const char* end, double& v
     double read = 0;
     const auto [behind, error] = fast_float::from_chars(begin, end, read);
     if (error != std::errc()) return {behind, error};
-    // fast_float before version 4 calls too large numbers infinite and too small ones 0, and sees no error.
+    // fast_float before version 4 returns too large numbers as infinite and too small ones as 0, without an
+    // error.
     if ((read == 0 || !std::isfinite(read)) && has_value(begin, behind))
         return {behind, std::errc::result_out_of_range};
     value = read;

@@ -5,7 +5,7 @@
 
 namespace gsim::text {
 
-/// Without the characters of `blanks` at both ends.
+/// Returns the text without the characters of `blanks` at both ends.
 constexpr std::string_view trimmed(std::string_view text, std::string_view blanks) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};

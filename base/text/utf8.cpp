@@ -7,7 +7,8 @@ namespace gsim::text {
 
 namespace {
 
-/// The bits of a byte that begins a character of so many bytes, and the lowest character that needs as many.
+/// The bits of a byte that begins a character of this number of bytes, and the lowest character that needs as
+/// many.
 struct Lead {
     unsigned char mask;
     unsigned char mark;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kMostBytesInMiB = kMaxTomlBytes >> 20U;
 
-/// Goes over a text of TOML up to the first place that is too deep. Where the text is no TOML it may take
-/// what follows for something else: the parser stops there.
+/// Scanner of a TOML text up to the first position that is nested too deeply. If the text is not TOML, it may
+/// misread what follows; the parser stops there.
 class TomlScan {
   public:
     explicit TomlScan(std::string_view text) : text_(text) {}
@@ -26,7 +26,7 @@ class TomlScan {
     }
 
   private:
-    // Past one character, remark or string; a sentence where that is one too deep.
+    // Moves past one character, comment or string. Returns a message if that is nested too deeply.
     std::string step() {
         switch (const char c = text_[at_]) {
             case '#': at_ = std::min(text_.find('\n', at_), text_.size()); return {};
@@ -68,7 +68,7 @@ class TomlScan {
             at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
         }
         at_ += many_lines ? fence.size() : 1;
-        // Up to two quotes before the fence belong to the string.
+        // Up to two quotes before the closing delimiter belong to the string.
         for (int more = 0; many_lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
     }
 

@@ -44,7 +44,8 @@ std::optional<std::string> find_path_fault(const TomlPath& path) {
     return fmt::format("a path leads through {} tables and lists at most", kMaxTomlBrackets);
 }
 
-/// The value with what leads to it from the step `first` on; nothing where that has elements before it.
+/// Returns the value inside the tables and lists of the path from step `first` on; nothing if a list would
+/// need elements before it.
 std::optional<ordered_json> wrapped(const TomlPath& path, std::size_t first, ordered_json value) {
     for (std::size_t i = path.size(); i-- > first;) {
         if (const auto* index = std::get_if<std::size_t>(&path[i])) {
@@ -84,7 +85,7 @@ json* TomlEdit::at(const TomlPath& path) {
     return const_cast<json*>(std::as_const(*this).at(path));
 }
 
-// All of a change or nothing, and the text means what was wanted.
+// A change is made completely or not at all, and the text then has the intended meaning.
 template <typename Change>
 TomlEdit::Done TomlEdit::whole(const Change& change) {
     TomlEdit before = *this;
@@ -142,7 +143,7 @@ TomlEdit::Done TomlEdit::merge_objects(const TomlPath& path, const ordered_json&
     return {};
 }
 
-// What goes and what comes do so around the elements that stay, which keep their comments.
+// Elements are removed and inserted around those that stay, which keep their comments.
 TomlEdit::Done TomlEdit::merge_lists(const TomlPath& path, const ordered_json& value) {
     if (sheet_.find(path) == nullptr) {
         const auto plain =
@@ -164,7 +165,7 @@ TomlEdit::Done TomlEdit::merge_lists(const TomlPath& path, const ordered_json& v
     return {};
 }
 
-// The elements of a list in the order of their places; those without a place are taken away.
+// Sorts the elements of a list by their places and removes those without a place.
 TomlEdit::Done TomlEdit::arrange(const TomlPath& list, std::vector<std::optional<std::size_t>> places) {
     const bool keeps_any = std::any_of(places.begin(), places.end(), [](const auto& each) { return each; });
     for (std::size_t i = places.size(); i-- > 0;) {
@@ -206,7 +207,7 @@ void TomlEdit::shift(const TomlPath& list, std::size_t from, std::size_t to) {
     elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
 }
 
-// The way leads through what is there as far as it goes.
+// The path uses existing tables and lists as far as it can.
 TomlEdit::Done TomlEdit::make(const TomlPath& path, const ordered_json& value) {
     TomlPath outer = path;
     while (at(outer) == nullptr) outer.pop_back();
@@ -261,7 +262,7 @@ TomlEdit::Done TomlEdit::remove(const TomlPath& path) {
     return whole([&] { return take(path); });
 }
 
-// Tables that nothing in the text makes any more are gone, too.
+// Tables that the text no longer makes are removed, too.
 TomlEdit::Done TomlEdit::take(const TomlPath& path) {
     sheet_.remove(path);
     TomlPath gone = path;

@@ -14,32 +14,32 @@
 
 namespace gsim::base {
 
-/// Changes a document that people wrote. Comments, order, spacing, spellings of numbers and line ends stay
-/// where a change does not touch them. After each change the text is read again, and means what was wanted;
-/// what cannot be done is refused in a sentence, and has changed nothing.
+/// Editor of a document that people wrote. Comments, order, spacing, spellings of numbers and line ends stay
+/// unless a change touches them. After each change the text is read again and must have the intended meaning.
+/// A change that cannot be made returns a message and leaves the text unchanged.
 class TomlEdit {
   public:
     using Done = tl::expected<void, std::string>;
 
-    /// The error says where the text is no TOML: "file:line:column: sentence".
+    /// Reads a document. The error gives the position at which the text is not TOML: "file:line:column:
+    /// message".
     static tl::expected<TomlEdit, std::string> read(std::string toml_text, std::string_view file_name);
 
-    /// Gives a key or an element another value, or a new key one; tables that are lacking on the way are
-    /// made. Of objects and lists only what differs is changed; an element that stays in a list keeps its
-    /// comments, and one that goes takes them along. A number is written as the one before it,
-    /// as those beside it, or as those of the document: 254, else 254.0. "inf" in the place of a number is
-    /// one.
+    /// Sets the value of a key or an element, or adds a new key; missing tables on the path are made. Of
+    /// objects and lists only the differences are changed. An element that stays in a list keeps its
+    /// comments; a removed one takes them along. A number is written like the one before it, like its
+    /// neighbours, or like those of the document: 254, else 254.0. "inf" in the position of a number is one.
     Done set(const TomlPath& path, const nlohmann::ordered_json& value);
-    /// A further element of a list, at its end; the first one makes the list.
+    /// Adds an element at the end of a list; the first one makes the list.
     Done add(const TomlPath& list, const nlohmann::ordered_json& value);
-    /// A key, a table or an element, with what is below it and the comments that stand directly above it or
-    /// behind it. A comment above several keys or elements stays.
+    /// Removes a key, a table or an element, with everything below it and the comments directly above or
+    /// after it. A comment above several keys or elements stays.
     Done remove(const TomlPath& path);
-    /// An element to the place `to` among the others of its list, with its comments.
+    /// Moves an element to the position `to` in its list, with its comments.
     Done move(const TomlPath& path, std::size_t to);
 
     const std::string& text() const { return sheet_.text(); }
-    /// All that the document says; dates, and numbers that are not finite, as texts.
+    /// Returns the complete content of the document; dates, and numbers that are not finite, are texts.
     const nlohmann::json& value() const { return value_; }
 
   private:

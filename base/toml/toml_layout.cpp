@@ -12,7 +12,7 @@ namespace {
 
 using Kind = TomlStatement::Kind;
 
-/// Goes over the lines of a document.
+/// Reader of the lines of a document.
 class LayoutReader {
   public:
     explicit LayoutReader(std::string_view text) : text_(text), scanner_(text) {}
@@ -39,7 +39,8 @@ class LayoutReader {
     }
 
   private:
-    // A blank line, or the end: comments in front of it are no statement's that follows.
+    // Ends a block of comments at a blank line, or at the end: these comments do not belong to the next
+    // statement.
     void end_comments(std::size_t at) {
         if (comments_ && touches_) layout_.statements.back().below = at;
         comments_.reset();
@@ -73,7 +74,7 @@ class LayoutReader {
         return true;
     }
 
-    // Names of tables go through the newest entry of an array of tables.
+    // Names of tables refer to the newest entry of an array of tables.
     TomlPath address_of(const TomlPath& key, Kind kind) {
         TomlPath address;
         for (std::size_t i = 0; i < key.size(); ++i) {
@@ -99,11 +100,11 @@ class LayoutReader {
     std::string_view text_;
     TomlScanner scanner_;
     TomlLayout layout_;
-    std::map<TomlPath, std::size_t> entries_;  ///< How many each array of tables has so far.
+    std::map<TomlPath, std::size_t> entries_;  ///< Number of entries of each array of tables so far.
     std::size_t head_ = TomlLayout::kNoHead;
     std::optional<std::size_t>
-        comments_;          ///< Where comments begin that go down to here without a blank line.
-    bool touches_ = false;  ///< And there is none between them and the statement above.
+        comments_;          ///< Start of the comments that reach down to here without a blank line.
+    bool touches_ = false;  ///< No blank line is between them and the statement above.
 };
 
 }  // namespace

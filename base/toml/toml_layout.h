@@ -25,48 +25,48 @@ struct TomlSpot {
 
     Kind kind = Kind::plain;
     TomlBytes bytes;
-    std::vector<TomlItem> items;  ///< Of an array or an inline table.
+    std::vector<TomlItem> items;  ///< Items of an array or inline table.
 };
 
 /// An element of an array, or a key with its value.
 struct TomlItem {
-    TomlPath key;  ///< Its parts; none of an element.
+    TomlPath key;  ///< Parts of the key; empty for an element.
     std::size_t begin = 0;
     std::size_t key_end = 0;
     TomlSpot value;
-    std::size_t end = 0;  ///< Behind its comma, where it has one.
+    std::size_t end = 0;  ///< End after its comma, if it has one.
 };
 
-/// A table's head, or a key with its value on lines of its own.
+/// The header of a table, or a key with its value on its own lines.
 struct TomlStatement {
     enum class Kind : std::uint8_t { pair, table, entry };  ///< `a = 1`, `[a]`, `[[a]]`
 
     Kind kind = Kind::pair;
-    TomlPath address;                ///< Of the table or the value.
-    std::size_t head = 0;            ///< Of a pair: the statement of its table's head, or kNoHead.
-    TomlItem item = {};              ///< Of a pair.
-    std::size_t above = 0;           ///< Where the comments begin that stand directly above it.
-    std::size_t begin = 0, end = 0;  ///< Its whole lines.
-    std::size_t below = 0;  ///< Where the comments end that stand directly below it and above nothing.
+    TomlPath address;                ///< Path of the table or the value.
+    std::size_t head = 0;            ///< Statement of a pair's table header, or kNoHead.
+    TomlItem item = {};              ///< Item of a pair.
+    std::size_t above = 0;           ///< Start of the comments directly above it.
+    std::size_t begin = 0, end = 0;  ///< Its complete lines.
+    std::size_t below = 0;  ///< End of the comments directly below it that are not above another statement.
 
     bool is_pair() const { return kind == Kind::pair; }
 };
 
-/// Where all in a document stands.
+/// Positions of everything in a document.
 struct TomlLayout {
     static constexpr std::size_t kNoHead = static_cast<std::size_t>(-1);
 
-    std::size_t begin = 0;  ///< Behind the mark of UTF-8, where there is one.
+    std::size_t begin = 0;  ///< After the UTF-8 byte order mark, if present.
     std::vector<TomlStatement> statements;
 };
 
-/// The layout of a text that toml++ has read; nothing where it seems to be no TOML.
+/// Returns the layout of a text that toml++ has read, or nothing if it seems not to be TOML.
 std::optional<TomlLayout> lay_out(std::string_view toml_text);
 
-/// Whether a text is blanks and ends of lines alone.
+/// True if a text consists only of blanks and ends of lines.
 bool is_blank(std::string_view text);
 
-/// The value to which `steps` leads from `spot` on; null: none.
+/// Returns the value to which `steps` leads from `spot`; null if it does not exist.
 const TomlSpot* find_within(const TomlSpot& spot, const TomlPath& steps);
 
 }  // namespace gsim::base

@@ -1,15 +1,15 @@
 #pragma once
 
-// What toml++ asserts does not hold for some broken files, which it then goes on to report; in a release
-// build it would have the compiler rely on it.
+// Some broken files violate assertions of toml++, which then continues to report them. In a release build the
+// compiler would rely on these assertions.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 0
 #ifdef TOML_IMPLEMENTATION
-// Debian's toml++ 3.3 takes it that letters such as those from U+00A1 to U+0499 are never asked for whether
-// they are blanks, and has undefined behaviour where they are. They are none.
+// Debian's toml++ 3.3 assumes that letters such as those from U+00A1 to U+0499 are never tested for being
+// blanks. If they are, its behaviour is undefined. They are not blanks.
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE

@@ -9,10 +9,10 @@ namespace {
 
 using nlohmann::json;
 
-/// Of longer lists the same values are looked for at both ends alone.
+/// Max number of comparisons; in longer lists equal values are searched only at both ends.
 constexpr std::size_t kMostComparisons = std::size_t{1} << 20U;
 
-/// Goes from both ends inwards.
+/// Matching of elements from both ends inwards.
 class Matching {
   public:
     Matching(const json& old, const json& wanted)
@@ -46,7 +46,7 @@ class Matching {
         }
     }
 
-    // The longest common subsequence: entry (i, j) is its length from there on.
+    // Matches the longest common subsequence: entry (i, j) is its length from there on.
     void match_in_order() {
         const std::size_t rows = old_end_ - begin_;
         const std::size_t columns = wanted_end_ - begin_;
@@ -85,7 +85,7 @@ class Matching {
         }
     }
 
-    // From one value that stays in its order to the next.
+    // Matches from one value that stays in its order to the next.
     void match_between() {
         std::size_t old = begin_;
         std::size_t wanted = begin_;
@@ -118,7 +118,7 @@ class Matching {
     const json& wanted_;
     std::vector<std::optional<std::size_t>> found_;
     std::vector<bool> taken_;
-    std::vector<std::size_t> anchors_;  ///< Elements wanted that stay in their order.
+    std::vector<std::size_t> anchors_;  ///< Wanted elements that stay in their order.
     std::size_t begin_ = 0;
     std::size_t old_end_ = 0;
     std::size_t wanted_end_ = 0;

@@ -8,9 +8,9 @@
 
 namespace gsim::base {
 
-/// For each element of `wanted` the one of `old` that becomes it, each at most once: first the same values,
-/// as many as possible in their order, then what stands between them where as many have gone as have come.
-/// Where these are not as many a plain value is a new one.
+/// Returns for each element of `wanted` the element of `old` that becomes it, each at most once. Equal values
+/// match first, as many as possible in their order. Elements between them match if as many were removed as
+/// were added. Otherwise a plain value is a new one.
 std::vector<std::optional<std::size_t>> match_elements(const nlohmann::json& old,
                                                        const nlohmann::json& wanted);
 

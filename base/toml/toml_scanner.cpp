@@ -16,7 +16,7 @@ constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kEndOfPlain = ",]}#\r\n";
 constexpr std::string_view kEndOfBareKey = " \t.=]\r\n#\"'";
 
-/// What a letter behind a backslash means, but for the codes.
+/// Meaning of a letter after a backslash, except for the codes.
 struct Escape {
     char letter;
     char meaning;
@@ -24,7 +24,7 @@ struct Escape {
 constexpr std::array kEscapes{Escape{'b', '\b'}, Escape{'t', '\t'}, Escape{'n', '\n'}, Escape{'f', '\f'},
                               Escape{'r', '\r'}, Escape{'"', '"'},  Escape{'\\', '\\'}};
 
-/// What stands between quotation marks on one line.
+/// Returns the unescaped text between quotation marks on one line.
 std::optional<std::string> unescaped(std::string_view quoted) {
     std::string text;
     for (std::size_t i = 0; i < quoted.size(); ++i) {
@@ -132,7 +132,7 @@ bool TomlScanner::skip_string() {
     }
     if (at_end()) return false;
     skip(many_lines ? fence.size() : 1);
-    // Up to two quotation marks in front of the fence belong to the string.
+    // Up to two quotation marks before the closing delimiter belong to the string.
     for (int more = 0; many_lines && more < 2 && peek() == quote; ++more) skip(1);
     return true;
 }

@@ -9,8 +9,8 @@
 
 namespace gsim::base {
 
-/// Reads where keys and values begin and end in a text of TOML within its bounds (toml_bounds.h). What is no
-/// TOML it may take for something else, or refuse.
+/// Scanner of the start and end of keys and values in a TOML text within its bounds (toml_bounds.h). Text
+/// that is not TOML may be misread, or rejected.
 class TomlScanner {
   public:
     explicit TomlScanner(std::string_view text) : text_(text) {}
@@ -21,18 +21,18 @@ class TomlScanner {
     bool at_line_end() const {
         return text_.substr(at_).starts_with('\n') || text_.substr(at_).starts_with("\r\n");
     }
-    /// The next character; 0 at the end.
+    /// Returns the next character; 0 at the end.
     char peek() const { return at_end() ? '\0' : text_[at_]; }
     void skip(std::size_t bytes) { at_ += bytes; }
-    /// Past a character, where it is there.
+    /// Consumes the character, if it is the next one.
     bool take(char c);
     void skip_blanks();
-    /// To the beginning of the next line.
+    /// Moves to the beginning of the next line.
     void skip_line();
 
-    /// `a . "b"` up to what follows it.
+    /// Reads `a . "b"`, up to the text that follows.
     std::optional<TomlPath> read_key();
-    /// `a.b = 1`
+    /// Reads `a.b = 1`.
     std::optional<TomlItem> read_pair();
     std::optional<TomlSpot> read_value();
 

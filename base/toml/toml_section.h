@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of TOML files alone: toml++ is slow to compile. Its parser is in toml_section.cpp.
+// Only for readers of TOML files, because toml++ is slow to compile. Its parser is in toml_section.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@
 
 namespace gsim::base {
 
-/// Keeps the first error of a file, as "file:line:column: sentence", and those of other places. Reading goes
-/// on with fall-back values, and whoever started it looks here at the end.
+/// Store of the first error of a file, as "file:line:column: message", and of those at other positions.
+/// Reading continues with fall-back values; the caller checks this object at the end.
 class FirstError {
   public:
     explicit FirstError(std::string_view file_name) : file_name_(file_name) {}
@@ -29,16 +29,16 @@ class FirstError {
     void report(const toml::source_position& where, std::string_view sentence) {
         std::string place = fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
                                         std::max<unsigned>(1, where.column));
-        // A second one at a place comes of the first.
+        // A second error at a position is a consequence of the first.
         const auto is_there = [&](const std::string& text) { return text.starts_with(place); };
         if (!std::any_of(all_.begin(), all_.end(), is_there)) keep(place + in_one_line(sentence));
     }
 
-    /// Takes over the error of another file, which says where it is itself.
+    /// Adds the error of another file, which contains its own source location.
     void adopt(std::string text) { keep(std::move(text)); }
 
     const std::optional<std::string>& text() const { return first_; }
-    /// One for each place, the first one first.
+    /// Returns one error for each position, the first one first.
     const std::vector<std::string>& all() const { return all_; }
 
   private:
@@ -49,7 +49,7 @@ class FirstError {
         if (all_.size() < kMostErrors) all_.push_back(std::move(text));
     }
 
-    // What is quoted from a file may hold line breaks.
+    // Text quoted from a file may contain line breaks.
     static std::string in_one_line(std::string_view sentence) {
         std::string line(sentence);
         std::replace_if(
@@ -62,23 +62,23 @@ class FirstError {
     std::vector<std::string> all_;
 };
 
-/// The tables of a file; where it is no TOML, none and an error.
+/// Returns the tables of a file; if it is not TOML, none and an error.
 toml::table parse_toml(FirstError& error, std::string_view toml_text);
 
-/// What a number may be.
+/// Permitted range of a number.
 enum class NumberRule {
     finite,
     any,
     positive,      ///< Or infinite.
     not_negative,  ///< And finite.
-    step,          ///< 0 (none), or not so small that its multiples get out of hand.
-    share,         ///< Of something: greater than 0, and at most 1.
-    part,          ///< Of something that must not be all of it: from 0 to below 1.
+    step,          ///< 0 (none), or large enough that its multiples stay within bounds.
+    share,         ///< Share: greater than 0, and at most 1.
+    part,          ///< Share that must not be complete: from 0 to below 1.
     percent,       ///< Greater than 0, and at most 100.
-    count,         ///< A whole number of things to keep in memory.
+    count,         ///< An integer number of objects to keep in memory.
 };
 
-/// One table of the file with the keys that it may hold.
+/// One table of the file with its permitted keys.
 class TomlSection {
   public:
     TomlSection(FirstError& error, const toml::table& table, std::string title,
@@ -89,16 +89,16 @@ class TomlSection {
 
     const std::string& title() const { return title_; }
     bool has(std::string_view key) const { return table_.contains(key); }
-    /// The position of the value of `key`, or of the section where it has no such key.
+    /// Returns the position of the value of `key`, or of the section if it has no such key.
     toml::source_position where(std::string_view key) const {
         const toml::node* node = table_.get(key);
         return node ? node->source().begin : table_.source().begin;
     }
     void fail(std::string_view key, std::string_view sentence) { error_.report(where(key), sentence); }
-    /// Takes over the error of a file that this section names.
+    /// Adds the error of a file that this section names.
     void adopt_error(std::string text) { error_.adopt(std::move(text)); }
 
-    /// The value of `key`, or null; it is an error if there is none.
+    /// Returns the value of `key`, or null; a missing key is an error.
     const toml::node* require(std::string_view key) {
         const toml::node* node = table_.get(key);
         if (!node) fail(key, fmt::format("{} lacks the key '{}'", title_, key));
@@ -136,7 +136,7 @@ class TomlSection {
         return fallback;
     }
 
-    /// Which of `names` stands under `key`, as an index.
+    /// Returns the index in `names` of the value under `key`.
     std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names) {
         const toml::node* node = table_.get(key);
         if (!node) return fallback;
@@ -148,7 +148,7 @@ class TomlSection {
         return fallback;
     }
 
-    /// The table under `key`, or null where there is none.
+    /// Returns the table under `key`, or null if it does not exist.
     const toml::table* table(std::string_view key) {
         const toml::node* node = table_.get(key);
         if (!node) return nullptr;
@@ -156,7 +156,7 @@ class TomlSection {
         return node->as_table();
     }
 
-    /// The table under `key` as a section of its own, if there is one.
+    /// Returns the table under `key` as a separate section, if it exists.
     std::optional<TomlSection> section(std::string_view key, std::string title,
                                        std::span<const std::string_view> known_keys) {
         const toml::table* inner = table(key);
@@ -164,7 +164,7 @@ class TomlSection {
         return TomlSection(error_, *inner, std::move(title), known_keys);
     }
 
-    /// The tables of the array under `key`.
+    /// Returns the tables of the array under `key`.
     std::vector<const toml::table*> tables(std::string_view key) {
         std::vector<const toml::table*> found;
         const toml::node* node = require(key);

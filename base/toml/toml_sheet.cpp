@@ -61,7 +61,7 @@ bool TomlSheet::makes(const TomlPath& path) const {
     for (const TomlStatement& statement : layout_.statements) {
         if (leads_through(statement.address, path)) return true;
         if (!statement.is_pair() || !leads_through(path, statement.address)) continue;
-        // What is within a value: the value itself, or a table that a dotted key in it makes.
+        // The path within a value is the value itself, or a table that a dotted key in it makes.
         TomlPath rest(path.begin() + static_cast<std::ptrdiff_t>(statement.address.size()), path.end());
         if (find_within(statement.item.value, rest) != nullptr) return true;
         TomlPath dotted;
@@ -98,7 +98,7 @@ void TomlSheet::replace(const TomlPath& path, const nlohmann::ordered_json& valu
     std::string written = value_beside(value, *spot);
     if (value.is_string() && old != TomlSpelling::other && names_number(value.get_ref<const std::string&>()))
         written = value.get<std::string>();
-    // A comment behind it stays in its column.
+    // A comment after it stays in its column.
     const std::size_t gap_end = std::min(text_.find_first_not_of(' ', bytes.end), text_.size());
     const std::size_t gap = gap_end - bytes.end;
     TomlBytes replaced = bytes;

@@ -12,39 +12,39 @@
 
 namespace gsim::base {
 
-/// Where an element in brackets stands, with the comments that are about it alone.
+/// Position of an element in brackets, with the comments that are only about it.
 struct TomlElement {
-    TomlBytes above;   ///< Whole lines of comments.
-    TomlBytes value;   ///< Up to its comma, where that is on a later line.
+    TomlBytes above;   ///< Complete lines of comments.
+    TomlBytes value;   ///< Up to its comma, if that is on a later line.
     TomlBytes behind;  ///< A comment at the end of its line.
-    TomlBytes lines;   ///< All of it where it has its lines to itself, else nothing.
+    TomlBytes lines;   ///< The full element if it has its own lines, else empty.
 };
 
-/// The text of a document and where all in it stands, to be changed in single places. It knows no values: who
-/// changes it says what is there by now, and reads the text again to see that it means what was wanted.
-/// Where a change finds no place the text stays as it is.
+/// The text of a document and the positions in it, for changes of single parts. It does not know values: its
+/// caller states the present content, and reads the text again to check its meaning. If a change finds no
+/// position, the text stays as it is.
 class TomlSheet {
   public:
-    /// Of a text that toml++ has read.
+    /// Takes a text that toml++ has read.
     explicit TomlSheet(std::string text);
 
     const std::string& text() const { return text_; }
-    /// The value at `path` where it stands behind a key or in a list; null: it is a table on lines of its
-    /// own, or there is none. Good up to the next change.
+    /// Returns the value at `path` if it is after a key or in a list. Null: it is a table on its own lines,
+    /// or does not exist. Valid up to the next change.
     const TomlSpot* find(const TomlPath& path) const;
-    /// Whether anything in the text makes this table or list.
+    /// True if anything in the text makes this table or list.
     bool makes(const TomlPath& path) const;
 
-    /// Writes another value in the place of one that find() finds.
+    /// Replaces a value that find() finds.
     void replace(const TomlPath& path, const nlohmann::ordered_json& value);
-    /// A key that is not there, of a table that is.
+    /// Adds a key that does not exist to a table that does.
     void add_key(const TomlPath& table, const std::string& key, const nlohmann::ordered_json& value);
-    /// A further element of a list that find() finds, behind as many as `index`.
+    /// Adds an element to a list that find() finds, after `index` elements.
     void add_element(const TomlPath& list, std::size_t index, const nlohmann::ordered_json& value);
-    /// A further table of an array of tables.
+    /// Adds a table to an array of tables.
     void add_entry(const TomlPath& list, const nlohmann::ordered_json& table);
     void remove(const TomlPath& path);
-    /// The element `from` of a list to the place `to` among the others.
+    /// Moves the element `from` of a list to the position `to`.
     void move(const TomlPath& list, std::size_t from, std::size_t to);
 
   private:

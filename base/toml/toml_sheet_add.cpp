@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Whether a value becomes tables on lines of their own where it may: an object, or a list of objects.
+/// True if a value becomes tables on their own lines if possible: an object, or a list of objects.
 bool is_section(const ordered_json& value) {
     const auto is_object = [](const ordered_json& each) { return each.is_object(); };
     return value.is_object() ||
@@ -23,7 +23,7 @@ bool has_number(const TomlPath& path) {
                        [](const TomlStep& step) { return std::holds_alternative<std::size_t>(step); });
 }
 
-/// Whether there is a line without anything just above `at`, or nothing at all.
+/// True if the line just above `at` is blank, or no text precedes it.
 bool is_apart(std::string_view before) {
     if (is_blank(before)) return true;
     const std::size_t last = before.find_last_not_of(" \t");
@@ -66,7 +66,7 @@ void TomlSheet::add_key(const TomlPath& table, const std::string& key, const ord
     add_block(below->above, head_line + lines_of(as_table, ""), true);
 }
 
-// Into braces, where the table or one that a dotted key leads to it from stands in such.
+// Adds the key inside braces, if the table is in braces, or one from which a dotted key leads to it.
 bool TomlSheet::add_within(const TomlPath& table, const std::string& key, const ordered_json& value) {
     for (std::size_t size = table.size(); size > 0; --size) {
         const auto dot = table.begin() + static_cast<std::ptrdiff_t>(size);
@@ -82,7 +82,7 @@ bool TomlSheet::add_within(const TomlPath& table, const std::string& key, const 
     return false;
 }
 
-// Behind the last line of its table, as that line is written.
+// Adds a line after the last line of its table, in the style of that line.
 void TomlSheet::add_line(std::size_t head, const TomlPath& table, const std::string& key,
                          const ordered_json& value) {
     const TomlStatement* last = nullptr;
@@ -130,7 +130,7 @@ void TomlSheet::add_element(const TomlPath& list, std::size_t index, const order
     if (spot != nullptr) add_item(*spot, index, value_beside(value, *spot));
 }
 
-// Behind as many of the items that are there.
+// Adds an item after this number of existing items.
 void TomlSheet::add_item(const TomlSpot& spot, std::size_t behind, const std::string& item) {
     if (spot.items.empty()) {
         const TomlBytes inside{spot.bytes.begin + 1, spot.bytes.end - 1};
@@ -173,7 +173,7 @@ std::string TomlSheet::lines_of(const ordered_json& table, std::string_view inde
     return lines;
 }
 
-// Whole lines between others, with a blank line on both sides where they are to stand apart.
+// Adds complete lines between others, with a blank line on both sides if `apart`.
 void TomlSheet::add_block(std::size_t at, std::string block, bool apart) {
     const std::string_view before = between(layout_.begin, at);
     const bool open = !before.empty() && !before.ends_with('\n');  // the last line of the file has no end

@@ -1,4 +1,4 @@
-// What stands in brackets and braces, with the comments that are about each of it.
+// Elements in brackets and braces, with the comments about each of them.
 
 #include <algorithm>
 #include <utility>
@@ -34,7 +34,7 @@ TomlElement TomlSheet::element_of(const TomlSpot& spot, std::size_t index) const
     const std::size_t line = line_begin(item.begin);
     const std::size_t line_end = text_.find('\n', item.end);
     const std::string_view rest = between(item.end, line_end);
-    // Behind several on a line a comment is about all of them.
+    // A comment after several elements on a line is about all of them.
     const bool is_first = index == 0 || has_break(between(before, item.begin));
     if (is_first && begins_comment(rest)) {
         const std::size_t comment = item.end + rest.find('#');
@@ -49,7 +49,7 @@ TomlElement TomlSheet::element_of(const TomlSpot& spot, std::size_t index) const
     return element;
 }
 
-// Where the next one follows at once they may be about that, too.
+// If the next element follows at once, they may be about that, too.
 TomlBytes TomlSheet::comments_above(const TomlSpot& spot, std::size_t index, TomlBytes lines) const {
     const bool is_last = index + 1 == spot.items.size();
     if (!is_last && !has_break(between(lines.end, spot.items[index + 1].begin))) return {};
@@ -63,7 +63,7 @@ TomlBytes TomlSheet::comments_above(const TomlSpot& spot, std::size_t index, Tom
     return {begin, lines.begin};
 }
 
-// On a line of its own, where the one above has such.
+// Adds the item on its own line, if the element above has one.
 bool TomlSheet::add_below(const TomlSpot& spot, std::size_t index, const std::string& item) {
     const TomlBytes lines = element_of(spot, index).lines;
     if (is_empty(lines)) return false;
@@ -106,7 +106,7 @@ void TomlSheet::remove_item(const TomlSpot& spot, std::size_t index) {
     change(alone ? inside : TomlBytes{item.begin, item.end}, {});
 }
 
-// Values go from place to place with their comments; what else is about the places stays.
+// Moves values between positions with their comments; other comments at the positions stay.
 void TomlSheet::move_item(const TomlSpot& spot, std::size_t from, std::size_t to) {
     std::vector<TomlElement> places;
     for (std::size_t i = 0; i < spot.items.size(); ++i) places.push_back(element_of(spot, i));

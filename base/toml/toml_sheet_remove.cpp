@@ -16,7 +16,7 @@ void TomlSheet::remove(const TomlPath& path) {
     change({0, text_.size()}, text);
 }
 
-// Out of brackets or braces, where it stands in such.
+// Removes the value from brackets or braces, if it is inside.
 bool TomlSheet::remove_within(const TomlPath& path) {
     for (std::size_t size = path.size(); size-- > 0;) {
         const auto dot = path.begin() + static_cast<std::ptrdiff_t>(size);
@@ -39,7 +39,7 @@ bool TomlSheet::remove_within(const TomlPath& path) {
     return false;
 }
 
-// A comment above several keys may be about all of them: it goes with the last one.
+// A comment above several keys may be about all of them, so it is removed with the last one.
 TomlBytes TomlSheet::lines_with(const TomlStatement& statement) const {
     const std::string_view after = between(statement.end, text_.size());
     const bool alone = is_blank(after.substr(0, after.find('\n'))) || statement.below > statement.end;
@@ -55,7 +55,7 @@ TomlBytes TomlSheet::section_bytes(std::size_t head) const {
     return {first.above > layout_.begin ? first.above : first.begin, end};
 }
 
-/// Of blank lines on both sides one side's stay; at the end of the file none does.
+/// Adds blank lines to the range: of those on both sides, one side's stay; at the end of the file none do.
 TomlBytes TomlSheet::with_blank_lines(TomlBytes bytes) const {
     const std::string_view before = between(layout_.begin, bytes.begin);
     if (is_blank(between(bytes.end, text_.size()))) {
@@ -72,7 +72,7 @@ TomlBytes TomlSheet::with_blank_lines(TomlBytes bytes) const {
     }
 }
 
-/// The lines of a table with all below it, or of keys.
+/// Returns the lines of a table with everything below it, or of keys.
 std::vector<TomlBytes> TomlSheet::bytes_of(const TomlPath& path) const {
     std::vector<TomlBytes> all;
     for (std::size_t i = 0; i < layout_.statements.size(); ++i) {

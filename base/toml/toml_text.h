@@ -5,21 +5,21 @@
 
 namespace gsim::base {
 
-/// A string of TOML with its quotation marks.
+/// Returns a TOML string with its quotation marks.
 std::string toml_string(std::string_view text);
 
-/// A float of TOML in its shortest form, 254 as "254.0".
+/// Returns a TOML float in its shortest form, 254 as "254.0".
 std::string toml_number(double value);
 
-/// Writes tables of TOML line by line.
+/// Writer of TOML tables, line by line.
 class TomlText {
   public:
     /// Begins a table: "[path]".
     void section(std::string_view header);
-    /// `value` as TOML has it.
+    /// Writes a line; `value` is in TOML syntax.
     void line(std::string_view key, std::string_view value);
     void number(std::string_view key, double value) { line(key, toml_number(value)); }
-    /// Leaves out what does not limit.
+    /// Omits a value that does not limit.
     void limit(std::string_view key, double value);
 
     std::string take() { return std::move(text_); }

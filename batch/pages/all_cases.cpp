@@ -49,7 +49,7 @@ std::vector<std::string> row_of_case(const Case& of, const std::string& page, bo
     return row;
 }
 
-/// Where the other parts are.
+/// Returns links to the other parts.
 std::string links_to_parts(std::size_t parts, std::size_t part) {
     if (parts == 1) return {};
     std::string text = "<nav aria-label=\"Parts of the table\"><p>Part";

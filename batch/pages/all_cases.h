@@ -11,10 +11,10 @@ namespace gsim::batch {
 
 inline constexpr const char* kFrontPage = "index.html";
 
-/// The part of the table of all cases that stands on a page, counted from 0, and links to the other parts.
+/// Returns the part of the table of all cases on a page, counted from 0, and links to the other parts.
 std::string cases_text(const Night& night, std::size_t part);
 
-/// The pages of the further parts, by their names: the front page has the first one.
+/// Returns the pages of the further parts, by their names: the front page has the first one.
 std::vector<std::pair<std::string, std::string>> further_pages(const Night& night);
 
 }  // namespace gsim::batch

@@ -134,7 +134,7 @@ std::string command_text(std::string_view what, const OpenCommand& command) {
            fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
 }
 
-/// As a picture of its own, in which names and styles are its own, too.
+/// Embeds the picture as a separate document, because its names and styles must stay separate, too.
 std::string picture_text(const WholeRun& run) {
     if (run.picture_svg.empty()) return {};
     std::string bytes;

@@ -7,11 +7,11 @@
 
 namespace gsim::batch {
 
-/// Reasons as markup; where there are none a word for that.
+/// Returns reasons as markup, or a word for an empty list.
 std::string reasons_text(const std::vector<std::string>& reasons);
 
-/// The part of a program's page on one machine with one variant of the settings: figures, findings, what has
-/// changed, files, history, and how to see it run.
+/// Returns the part of a program's page for one machine and one variant of the settings: metrics, findings,
+/// changes, files, history, and the command to view the run.
 std::string case_text(const Night& night, const CaseDetails& details);
 
 }  // namespace gsim::batch

@@ -27,7 +27,7 @@ bool has_other_counts(const RunFacts& before, const RunFacts& now) {
            before.warnings != now.warnings;
 }
 
-/// How often each thing is told, wherever: lines move when a remark is added.
+/// Counts each finding regardless of its position, because lines move if a remark is added.
 std::map<std::string, int> told_in(const std::string& findings) {
     std::map<std::string, int> told;
     for (const json& each : text::try_parse_json<json>(findings)) {
@@ -50,7 +50,7 @@ std::string what_became_of(const std::string& file, const std::string& before, c
                        before.empty() ? " is there now" : (now.empty() ? " is there no more" : ""));
 }
 
-/// A case that was run anew.
+/// Classifies a case that was run again.
 tl::expected<void, std::string> sort_in(Changes& changes, std::size_t place, const Case& of, RunBook& book) {
     bool is_same = false;
     if (of.before->is_clean() != of.now->is_clean()) {
@@ -105,7 +105,7 @@ std::vector<std::string> why_anew(const WholeRun& before, const WholeRun& now) {
     std::map<std::string, std::string> files_before;
     for (const ReadFile& file : before.files) files_before[file.name] = file.sha256;
     for (const ReadFile& file : now.files) {
-        // What only one of them looked for follows from something else.
+        // A file that only one run looked for is a consequence of another change.
         const auto other = files_before.find(file.name);
         if (other == files_before.end() || other->second == file.sha256) continue;
         const bool is_machine = other->second == before.machine_sha256 && file.sha256 == now.machine_sha256;

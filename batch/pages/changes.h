@@ -11,24 +11,24 @@
 
 namespace gsim::batch {
 
-/// What has become of the cases since the batch before, by their places in Night::cases. A case may stand in
-/// several of these lists.
+/// Changes of the cases since the previous batch, by their indices in Night::cases. A case may be in several
+/// of these lists.
 struct Changes {
     std::vector<std::size_t> newly_failing, mended;
     std::vector<std::size_t> other_times;     ///< The greatest difference first.
     std::vector<std::size_t> other_findings;  ///< Another cause, or other findings, without those above.
     std::vector<std::size_t> fresh, gone;
-    std::size_t same = 0;  ///< Cases of both batches that are in none of the lists.
+    std::size_t same = 0;  ///< Cases of both batches that are in no list.
 };
 
-/// Nothing where there is no batch before.
+/// Finds the changes; empty if no previous batch exists.
 tl::expected<Changes, std::string> find_changes(const Night& night, RunBook& book);
 
-/// The time now less that before, where both have one.
+/// Returns the time now minus that before, if both have one.
 double time_difference_s(const Case& of);
 
-/// Why a case was run anew, in words: what of all that the first run read, or was told, is another one for
-/// the second one. Empty: it is one run, or nothing of that has changed.
+/// Returns the reasons why a case was run again, in words: the inputs and arguments of the first run that
+/// differ for the second one. Empty: it is one run, or no input has changed.
 std::vector<std::string> why_anew(const WholeRun& before, const WholeRun& now);
 
 }  // namespace gsim::batch

@@ -46,7 +46,7 @@ std::string head_text(const Night& night) {
          {"Time of all", seconds(time_s) + " s"}});
 }
 
-/// The lists of changes, one after the other.
+/// Lists of changes, one after the other.
 class ChangesText {
   public:
     ChangesText(const Night& night, const Changes& changes, const Whys& whys)
@@ -87,7 +87,7 @@ class ChangesText {
         return text + fmt::format("<li>{} as before</li>\n</ul>\n", changes_.same);
     }
 
-    /// A list with its heading: `cells` gives those behind program and machine.
+    /// Returns a list with its heading: `cells` returns the cells after program and machine.
     template <typename Cells>
     std::string list(const std::vector<std::size_t>& places, std::string_view anchor, std::string_view title,
                      std::vector<std::string_view> columns, const Cells& cells) const {
@@ -148,7 +148,7 @@ class ChangesText {
         });
     }
 
-    /// Of a batch that is not whole they may come yet.
+    /// In an incomplete batch they may still be run.
     std::string gone() const {
         return list(changes_.gone, "gone", night_.latest.whole ? "Gone" : "Gone, or not run yet",
                     {"Outcome before", "Time before, s"}, [](const Case& of, std::size_t) {
@@ -178,12 +178,12 @@ class ChangesText {
     std::unordered_map<std::string, std::string> pages_;
 };
 
-/// What fails for one cause.
+/// Cases that fail for one cause.
 struct FailingCases {
     std::size_t runs = 0;
     const RunFacts* example = nullptr;
     std::vector<const ProgramCases*> programs = {};
-    std::vector<const Case*> first_cases = {};  ///< Of each program.
+    std::vector<const Case*> first_cases = {};  ///< The first of each program.
 };
 
 std::string list_of_programs(const FailingCases& failing) {

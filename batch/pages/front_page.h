@@ -9,13 +9,13 @@
 
 namespace gsim::batch {
 
-/// Rows of each list on the front page; how many more there are is said.
+/// Maximum of rows in each list on the front page; the number of further rows is printed.
 inline constexpr std::size_t kMostListed = 200;
 
-/// Why cases were run anew, as markup, by their places.
+/// Reasons why cases were run again, as markup, by the indices of the cases.
 using Whys = std::map<std::size_t, std::string>;
 
-/// The front page: the batch, what has changed, what fails, and the first cases of all.
+/// Returns the front page: the batch, the changes, the failures, and the first cases of all.
 std::string front_page(const Night& night, const Changes& changes, const Whys& whys);
 
 }  // namespace gsim::batch

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidth_px = 640, kHeight_px = 150, kSide_px = 12, kTop_px = 14, kBottom_px = 24;
 
-/// Places in the picture.
+/// Coordinates in the picture.
 class Axes {
   public:
     Axes(const Night& night, const Case& of) : batches_(static_cast<double>(night.batches.size())) {
@@ -56,7 +56,7 @@ std::string mark_of(const Night& night, const PastRun& past, const Axes& axes) {
     return fmt::format("<path d=\"M{:.1f} {:.1f}l8 8m0 -8l-8 8\">{}</path>", x - 4, y - 4, title);
 }
 
-/// A dot for each batch that went well, a cross where it failed.
+/// Draws a dot for each batch in which the case succeeded, a cross if it failed.
 std::string picture_of(const Night& night, const Case& of) {
     const Axes axes(night, of);
     if (!axes.has_times() || of.history.size() < 2) return {};
@@ -80,7 +80,7 @@ std::string span_of(const std::string& first, const std::string& last) {
     return first == last ? first : fmt::format("{} to {}", first, last);
 }
 
-/// A run that was found again by the batches that follow is one row.
+/// Returns the table. A run that the following batches reused is one row.
 std::string table_of(const Night& night, const Case& of) {
     TableText table("History", {"Batch", "Began", "Outcome", "Time, s", "Against the row below"});
     const auto& history = of.history;

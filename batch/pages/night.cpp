@@ -21,7 +21,7 @@ constexpr std::string_view kRun =
     "SELECT program, machine, settings, status, cause, message, file, line, cycle_time_s, violations, "
     "collisions, process_findings, warnings FROM run WHERE id = ?";
 
-/// Copies of a job have one run: the first of them stands for all.
+/// Reader of the results. Copies of a job have one run, so the first copy represents all.
 class NightReader {
   public:
     explicit NightReader(Database& results) : results_(results) {}
@@ -113,8 +113,7 @@ class NightReader {
         return {};
     }
 
-    /// Calls `take` with case and run of each job of a batch; cases that are not known yet are added, or left
-    /// out.
+    /// Calls `take` with case and run of each job of a batch. Unknown cases are added or left out.
     template <typename Take>
     SqlDone for_each_run(Night& night, BatchFacts& batch, bool adds_cases, const Take& take) {
         auto rows = results_.prepare("SELECT run, reused FROM batch_run WHERE batch = ? ORDER BY job");
@@ -137,7 +136,7 @@ class NightReader {
         }
     }
 
-    /// A run is read once, however many batches have it.
+    /// Returns the case index. A run is read once, for any number of batches.
     tl::expected<std::size_t, std::string> case_of(Night& night, std::int64_t id, bool adds) {
         if (const auto known = case_of_run_.find(id); known != case_of_run_.end()) return known->second;
         run_->bind(1, id);
@@ -182,7 +181,7 @@ class NightReader {
         for (const ProgramCases& program : night.programs) choose_details(night, program);
     }
 
-    /// Those that fail go first.
+    /// Failing cases get details first.
     static void choose_details(Night& night, const ProgramCases& program) {
         std::size_t chosen = 0;
         for (const bool is_clean : {false, true}) {

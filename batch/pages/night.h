@@ -13,7 +13,7 @@
 
 namespace gsim::batch {
 
-/// A batch, by its own row and by its runs.
+/// Data of a batch from its database row and its runs.
 struct BatchFacts {
     std::int64_t id = 0;
     std::string plan, version;
@@ -23,7 +23,7 @@ struct BatchFacts {
     std::int64_t runs = 0, failed = 0, reused = 0;  ///< Jobs that have a run, and of which kind.
 };
 
-/// What a run came to, as far as runs are compared with each other.
+/// Results of a run that are compared between runs.
 struct RunFacts {
     std::int64_t id = 0;
     std::string status, cause, message, file;
@@ -32,43 +32,43 @@ struct RunFacts {
     std::int64_t violations = 0, collisions = 0, process_findings = 0, warnings = 0;
 
     bool is_clean() const { return status == "completed" && cause.empty(); }
-    /// Past limits or with a collision it has come to its end all the same: its time is that of the program.
+    /// A run past limits or with a collision is complete as well, so its time is that of the program.
     bool has_time() const { return status == "completed" || status == "violations"; }
     std::int64_t findings() const { return violations + collisions + process_findings; }
 };
 
-/// The run that stood for a case in a batch.
+/// Run of a case in a batch.
 struct PastRun {
-    std::size_t batch = 0;  ///< Place in Night::batches.
+    std::size_t batch = 0;  ///< Index in Night::batches.
     const RunFacts* run = nullptr;
 };
 
-/// A program on a machine in one variant of the settings: what two batches are compared by.
+/// Program on a machine in one variant of the settings: the unit by which two batches are compared.
 struct Case {
     std::string program, machine, settings;  ///< Settings as JSON.
-    const RunFacts* now = nullptr;           ///< None: it is gone.
-    const RunFacts* before = nullptr;        ///< None: it is new.
+    const RunFacts* now = nullptr;           ///< Null: the case is gone.
+    const RunFacts* before = nullptr;        ///< Null: the case is new.
     bool is_reused = false;
     std::size_t place = 0;              ///< Among those of its program, from 0.
-    bool has_details = false;           ///< On its program's page, which has room for some.
+    bool has_details = false;           ///< On its program's page, which has space for some.
     std::vector<PastRun> history = {};  ///< By batch; the latest one, too.
 };
 
-/// All cases of one program, by their places in Night::cases.
+/// All cases of one program, by their indices in Night::cases.
 struct ProgramCases {
     std::string program;
     std::string page;  ///< Name of its file.
     std::vector<std::size_t> cases = {};
 };
 
-/// The latest batch beside one before it, and how it came there.
+/// Comparison of the latest batch with an earlier one, and its history.
 struct Night {
     BatchFacts latest;
     std::optional<BatchFacts> before = std::nullopt;
     std::vector<BatchFacts> batches = {};     ///< The last ones with the latest, in the order of time.
     std::int64_t older_batches = 0;           ///< That are left out of these.
-    std::vector<Case> cases = {};             ///< In the order of the jobs; behind them those that are gone.
-    std::vector<ProgramCases> programs = {};  ///< Of the latest batch, in the order of the jobs.
+    std::vector<Case> cases = {};             ///< In the order of the jobs, followed by those that are gone.
+    std::vector<ProgramCases> programs = {};  ///< For the latest batch, in the order of the jobs.
     std::unordered_map<std::int64_t, RunFacts> runs = {};  ///< To which cases point.
 
     explicit Night(BatchFacts of) : latest(std::move(of)) {}
@@ -79,8 +79,8 @@ struct Night {
     ~Night() = default;
 };
 
-/// Reads it; `since` is the number of the batch before, 0: the last one before, if there is one. The error is
-/// a sentence: there is no batch, or none of that number before the latest.
+/// Reads the nightly report; `since` is the number of the previous batch, 0: the last one before, if any. The
+/// error is a message: no batch, or none of that number before the latest.
 tl::expected<Night, std::string> read_night(Database& results, std::int64_t since);
 
 }  // namespace gsim::batch

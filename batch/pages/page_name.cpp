@@ -28,7 +28,7 @@ std::string page_name(std::string_view program) {
             stem += '-';
         }
     }
-    // The end of a name tells more than the folders before it.
+    // The end of a name is more informative than the folders before it.
     if (stem.size() > kLongestStem) stem.erase(0, stem.size() - kLongestStem);
     const std::size_t begin = std::min(stem.find_first_not_of('-'), stem.size());
     stem = stem.substr(begin, stem.find_last_not_of('-') + 1 - begin);

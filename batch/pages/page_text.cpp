@@ -14,13 +14,13 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view kDash = "\u2013";
 
-/// "2026-11-27T03:00:12Z" as people read it.
+/// Formats "2026-11-27T03:00:12Z" for people.
 std::string plain_moment(std::string_view utc) {
     if (utc.size() != 20) return std::string(utc);
     return fmt::format("{} {} UTC", utc.substr(0, 10), utc.substr(11, 5));
 }
 
-/// One style for all pages; without other files, so that a page can be sent alone.
+/// One style for all pages, without other files, so that a page can be sent alone.
 constexpr std::string_view kStyle = R"(
 :root { color-scheme: light dark; --text: #1f2328; --ground: #ffffff; --soft: #f3f4f6; --line: #d0d7de; --link: #0b57d0; --bad: #b3261e; --good: #1a7f37; }
 @media (prefers-color-scheme: dark) { :root { --text: #e6e6e6; --ground: #16181c; --soft: #22262c; --line: #3a4049; --link: #8ab4f8; --bad: #ff8a80; --good: #6fcf8a; } }
@@ -153,7 +153,7 @@ std::string mark_of_page(std::string_view name) {
 
 std::string whole_page(std::string_view name, std::string_view title, std::string_view trail,
                        std::string_view body) {
-    // Nothing is fetched and nothing runs, whatever the names of files are.
+    // The policy blocks all fetches and scripts, whatever the names of files are.
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}\n<meta "
         "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "

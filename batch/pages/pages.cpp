@@ -22,7 +22,7 @@ using Fault = tl::unexpected<std::string>;
 
 constexpr std::size_t kMostViews = 200;  // each has a megabyte and more
 
-/// What is looked at first in the morning goes first.
+/// Views are chosen in the order in which users read them in the morning.
 std::unordered_set<std::size_t> chosen_for_views(const Night& night, const Changes& changes) {
     std::unordered_set<std::size_t> chosen;
     const auto choose = [&](std::size_t place) {
@@ -38,7 +38,7 @@ std::unordered_set<std::size_t> chosen_for_views(const Night& night, const Chang
     return chosen;
 }
 
-/// Makes all pages of one night.
+/// Writer of all pages of one nightly report.
 class PagesWriter {
   public:
     PagesWriter(const Night& night, RunBook& book, Site& site, const PagesOptions& options)
@@ -46,7 +46,7 @@ class PagesWriter {
         if (options.views) views_.emplace(options.folder, *options.views);
     }
 
-    /// What the front page leads to is there before it is, and goes after it.
+    /// Pages that the front page links to are written before it, and removed after it.
     Done write() {
         const auto changes = find_changes(night_, book_);
         if (!changes) return Fault(changes.error());
@@ -118,8 +118,8 @@ class PagesWriter {
 }  // namespace
 
 Done write_pages(Database& results, const PagesOptions& options) {
-    // Of one moment, also where a batch goes on meanwhile. Behind that runs do not change, and nobody who
-    // writes is to wait for pages.
+    // The transaction reads one state, even if a batch is still running. Later no transaction is needed: runs
+    // do not change, and writers must not wait for pages.
     if (auto begun = results.execute("BEGIN"); !begun) return begun;
     const auto night = read_night(results, options.since);
     auto ended = results.execute("COMMIT");

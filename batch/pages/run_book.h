@@ -13,7 +13,7 @@
 
 namespace gsim::batch {
 
-/// What is kept of a run besides its RunFacts.
+/// Stored data of a run in addition to its RunFacts.
 struct WholeRun {
     std::string key = {};  ///< By which it is found again.
     std::string program = {}, machine = {};
@@ -24,7 +24,7 @@ struct WholeRun {
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
     std::int64_t blocks = 0, moves = 0;
-    std::string picture_svg = {};      ///< Where it was kept.
+    std::string picture_svg = {};      ///< If it was kept.
     std::vector<ReadFile> files = {};  ///< All that it read or looked for, by name.
 };
 
@@ -32,7 +32,7 @@ inline RunTold told_of(const WholeRun& run) {
     return {run.program, run.machine, run.options, run.settings};
 }
 
-/// Reads whole runs, one by one. It goes before its database.
+/// Reader of complete runs, one by one. It must be destroyed before its database.
 class RunBook {
   public:
     static tl::expected<RunBook, std::string> open(Database& results);

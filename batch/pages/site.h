@@ -10,16 +10,17 @@
 
 namespace gsim::batch {
 
-/// A folder with pages of ours, and maybe with files of others, which stay as they are.
+/// Folder with our pages, and possibly with foreign files, which stay unchanged.
 class Site {
   public:
-    /// Makes the folder where there is none. The error is a sentence that names it.
+    /// Creates the folder if it does not exist. The error is a message that names it.
     static tl::expected<Site, std::string> open(const std::string& folder);
 
-    /// Writes a page, which appears as a whole; one that is there already, byte for byte, stays untouched.
-    /// The error is a sentence with the name of the file: it cannot be written, or it is not one of ours.
+    /// Writes a page, which appears only when complete. An identical existing page, byte for byte, stays
+    /// untouched. The error is a message with the name of the file: it cannot be written, or it is not one of
+    /// ours.
     tl::expected<void, std::string> put(const std::string& name, std::string_view page);
-    /// Removes the pages of ours that were not put.
+    /// Removes our pages that were not written in this run.
     tl::expected<void, std::string> remove_others();
 
   private:
@@ -29,9 +30,8 @@ class Site {
     std::unordered_set<std::string> names_;
 };
 
-/// Removes the pages of a folder (.html) of which `is_one` is true; it is given the name
-/// and the first bytes. Links are no such files, and a folder that is not there has none. The error is a
-/// sentence.
+/// Removes the pages of a folder (.html) for which `is_one` returns true; it receives the name and the first
+/// bytes. Links are skipped, and a missing folder has no pages. The error is a message.
 tl::expected<void, std::string> remove_files(
     const std::filesystem::path& folder,
     const std::function<bool(const std::string& name, std::string_view head)>& is_one);

@@ -26,7 +26,7 @@ constexpr std::string_view kBegin = "run-", kEnd = ".html";
 constexpr std::size_t kDigits = 16;
 constexpr std::int64_t kMostMoves = 200'000;  // a page of so many has some 10 MB
 
-/// By all that makes the run what it is: what has this name is never another run.
+/// Builds the name from all inputs that determine the run, so another run never has the same name.
 std::string name_of_view(const WholeRun& run) {
     std::string all = run.key;
     for (const ReadFile& file : run.files) all += '\0' + file.name + '\0' + file.sha256;
@@ -41,7 +41,7 @@ bool is_name_of_view(std::string_view name) {
     return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// A program that was refused, or that took its process with it, has nothing to show.
+/// Returns false for a program that was refused, or that crashed its process: it has no run to show.
 bool has_run(const RunFacts& facts) {
     return facts.has_time() || facts.status == "alarm" || facts.status == "stopped";
 }
@@ -84,7 +84,7 @@ tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const 
     const os::FileHandle nothing(std::fopen("/dev/null", "r+e"));
     if (!nothing) return Fault("/dev/null cannot be opened");
     const auto ended = os::run_child(*words, nothing.get(), nothing.get());
-    // Where the program has a fault its page is written all the same.
+    // If the program has an error, its page is written as well.
     if (fs::exists(file, error)) return made();
     return Fault(ended ? "gsim run has written none" : ended.error());
 }

@@ -13,19 +13,20 @@
 
 namespace gsim::batch {
 
-/// By what pages with finished runs are made.
+/// Tool that makes the pages with finished runs.
 struct ViewMaker {
     std::string program;  ///< gsim.
     std::string version;  ///< As runs have it: those of another one would come out otherwise.
 };
 
-/// Pages that show finished runs, in a folder within that of the other pages. Each is made by a process of
-/// its own; what is there already of the same run is not made again.
+/// Pages that show finished runs, in a folder within that of the other pages. A separate process makes each
+/// one; an existing page of the same run is not made again.
 class Views {
   public:
     Views(const std::string& folder, ViewMaker maker);
 
-    /// The address of a run's page, from the folder of the other pages. The error says why there is none.
+    /// Returns the address of a run's page, relative to the folder of the other pages. The error says why it
+    /// does not exist.
     tl::expected<std::string, std::string> make(const RunFacts& facts, const WholeRun& run);
 
   private:
@@ -40,7 +41,7 @@ class Views {
     friend tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept);
 };
 
-/// Removes pages of runs that `kept`, if there is one, has not been asked for. The error is a sentence.
+/// Removes pages of runs that were not requested from `kept`, if it is given. The error is a message.
 tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept);
 
 }  // namespace gsim::batch

@@ -13,7 +13,7 @@ namespace gsim::batch {
 
 namespace {
 
-/// Below `count`, each alike.
+/// Returns a uniformly distributed number below `count`.
 std::size_t lot_of(Random& random, std::size_t count) {
     return static_cast<std::size_t>(lot(random) * static_cast<double>(count));
 }
@@ -25,7 +25,7 @@ std::vector<double> random_shares(std::size_t settings, std::uint64_t runs, std:
     return shares;
 }
 
-/// McKay, Beckman, Conover 1979: of each setting a shuffle of the parts, and a place by lot in each.
+/// McKay, Beckman, Conover 1979: shuffles the intervals of each setting, and draws a random position in each.
 std::vector<double> hypercube_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
     Random random(seed);
     std::vector<double> shares(settings * runs);
@@ -41,8 +41,8 @@ std::vector<double> hypercube_shares(std::size_t settings, std::uint64_t runs, s
     return shares;
 }
 
-/// With the numbers of Joe and Kuo, shifted by lot as one (modulo 1), so that other seeds are other designs;
-/// from its second point on, as the first one is 0 in all dimensions before.
+/// Uses the numbers of Joe and Kuo with one common random shift (modulo 1), so that other seeds are other
+/// designs. Starts with the second point, because before the shift the first one is 0 in all dimensions.
 std::vector<double> sobol_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
     if (settings == 0) return {};
     boost::random::sobol sequence(settings);
@@ -97,7 +97,7 @@ std::vector<SettingValue> Design::variant(std::uint64_t number) const {
     return values;
 }
 
-// The last setting changes from one to the next.
+// The last setting changes fastest.
 std::vector<SettingValue> Design::of_grid(std::uint64_t number) const {
     std::vector<std::size_t> places(settings_.size());
     for (std::size_t i = settings_.size(); i-- > 0;) {

@@ -9,7 +9,7 @@
 
 namespace gsim::batch {
 
-/// How values of settings are combined.
+/// Method of combining values of settings.
 enum class Sampling : std::uint8_t {
     grid,             ///< Each value of one with each of all others.
     random,           ///< Each by lot.
@@ -19,15 +19,15 @@ enum class Sampling : std::uint8_t {
     listed,  ///< Those that DesignOptions has; no plan file says so.
 };
 
-/// Which values settings have in the variants of a batch.
+/// Options for the values of settings in the variants of a batch.
 struct DesignOptions {
     Sampling sampling = Sampling::grid;
-    std::uint64_t runs = 0;  ///< Of all but a grid.
+    std::uint64_t runs = 0;  ///< For all but a grid.
     std::uint64_t seed = 1;
     std::vector<std::vector<SettingValue>> listed = {};
 };
 
-/// The variants of a batch: each has a value of each setting. The same options give the same ones, on any
+/// Variants of a batch: each has a value of each setting. The same options give the same variants on any
 /// machine.
 class Design {
   public:
@@ -43,7 +43,7 @@ class Design {
     Sampling sampling_;
     std::uint64_t size_ = 1;
     std::vector<std::vector<SettingValue>> listed_;
-    std::vector<double> shares_;  ///< Of all settings of the first variant, of the second one, ...
+    std::vector<double> shares_;  ///< For all settings of the first variant, the second one, ...
 };
 
 }  // namespace gsim::batch

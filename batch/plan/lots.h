@@ -6,16 +6,16 @@
 
 namespace gsim::batch {
 
-/// What lots come from. Distributions of the standard library differ from one to the other; these do not.
+/// Source of random numbers. Distributions differ between standard libraries; the functions below do not.
 using Random = std::mt19937_64;
 
-/// From 0 to below 1, each alike.
+/// Returns a uniform number from 0 to below 1.
 inline double lot(Random& random) {
     constexpr double kSteps = 9007199254740992.0;  // 2^53
     return static_cast<double>(random() >> 11U) / kSteps;
 }
 
-/// Of the normal distribution of mean 0 and deviation 1 (Box and Muller 1958).
+/// Returns a normally distributed number with mean 0 and deviation 1 (Box and Muller 1958).
 inline double normal_lot(Random& random) {
     const double radius = std::sqrt(-2 * std::log(1 - lot(random)));
     return radius * std::cos(2 * std::numbers::pi * lot(random));

@@ -37,8 +37,8 @@ bool is_pattern(const std::string& name) {
     return name.find_first_of("*?[") != std::string::npos;
 }
 
-/// The files below a folder of which `wanted` is true; hidden folders and files are left out, and what may
-/// not be read.
+/// Returns the files below a folder for which `wanted` is true. Hidden folders and files are skipped, as are
+/// unreadable ones.
 tl::expected<Names, std::string> files_below(const fs::path& folder, const auto& wanted) {
     std::error_code error;
     Names found;
@@ -55,7 +55,7 @@ tl::expected<Names, std::string> files_below(const fs::path& folder, const auto&
     return found;
 }
 
-/// Whether a name is meant by a pattern: `**/` is any folders, `*` nothing that has a slash.
+/// Returns true if a name matches a pattern: `**/` matches any folders, `*` matches text without a slash.
 bool is_meant(const std::string& name, const std::string& pattern) {
     const std::size_t any = pattern.find("**/");
     if (any == std::string::npos) return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME) == 0;
@@ -81,7 +81,7 @@ tl::expected<Names, std::string> matches(const std::string& pattern, const fs::p
         });
 }
 
-/// Programs are handed on as text.
+/// Program names are passed on as text, so they must be UTF-8.
 tl::expected<Names, std::string> all_of_utf8(Names names) {
     for (const std::string& name : names) {
         if (!text::is_utf8(name))
@@ -123,7 +123,7 @@ Plan with_variants(Plan plan, std::vector<std::vector<SettingValue>> variants) {
 
 Jobs::Jobs(const Plan& plan) : plan_(plan), design_(plan.settings, plan.design) {}
 
-// All variants of a program on one machine, then on the next one; then the next program.
+// Order: all variants of a program on one machine, then on the next one; then the next program.
 Job Jobs::job(std::uint64_t number) const {
     const std::uint64_t variant = number % design_.size();
     const std::uint64_t rest = number / design_.size();

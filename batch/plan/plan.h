@@ -14,22 +14,22 @@
 
 namespace gsim::batch {
 
-/// What is to be run: each program on each machine with each control, in each variant of the settings.
+/// Plan of a batch: each program on each machine with each controller, in each variant of the settings.
 struct Plan {
-    std::string name;                   ///< Of its file; empty: the command line has told it all.
+    std::string name;                   ///< Name of its file; empty: command line only.
     std::vector<std::string> programs;  ///< Files.
     std::vector<std::string> machines = {
         ""};  ///< Files or names; an empty one: that of the cell, or built in.
-    nlohmann::json options = nlohmann::json::object();  ///< Of all runs (run_options()).
+    nlohmann::json options = nlohmann::json::object();  ///< For all runs (run_options()).
     std::vector<Setting> settings;
     DesignOptions design;
     Kept keeps;
 };
 
-/// The same with these variants in place of its settings.
+/// Returns the same plan with these variants instead of its settings.
 Plan with_variants(Plan plan, std::vector<std::vector<SettingValue>> variants);
 
-/// The jobs of a plan, made where they are needed: there may be millions.
+/// Jobs of a plan, made on demand because there may be millions.
 class Jobs {
   public:
     explicit Jobs(const Plan& plan);
@@ -42,22 +42,21 @@ class Jobs {
     Design design_;
 };
 
-/// What a folder or a pattern (`*`, `?`, `[...]`, `**` for folders in folders) means: part programs by their
-/// endings (.nc, .ngc, .tap, .cnc, .gcode, .lua, .path.json and others, in any case), in the order of their
-/// names. A file is itself, whatever its ending. Names are from `folder`. The error: there is none, or it is
-/// not UTF-8.
+/// Returns the part programs that a folder or a pattern (`*`, `?`, `[...]`, `**` for nested folders) matches.
+/// They are recognised by their extensions (.nc, .ngc, .tap, .cnc, .gcode, .lua, .path.json and others, in
+/// any case), and sorted by name. A file matches itself, whatever its extension. Names are relative to
+/// `folder`. The error: no match, or a name is not UTF-8.
 tl::expected<std::vector<std::string>, std::string> find_programs(const std::string& name,
                                                                   const std::filesystem::path& folder = {});
 
-/// Adds those that are not there yet.
+/// Adds those files that are not in the plan yet.
 void add_programs(Plan& plan, const std::vector<std::string>& files);
 
-/// What a plan is read for: a search takes values of settings between their bounds, whatever is to be
-/// sampled.
+/// Use of a plan: a search takes values of settings between their bounds, whatever the sampling is.
 enum class PlanUse : std::uint8_t { batch, search };
 
-/// Reads a plan (docs/batch.md), without what it says of a search. Files are named from its folder. The error
-/// begins with its place.
+/// Reads a plan (docs/batch.md), without its search part. File names are relative to its folder. The error
+/// begins with its source location.
 tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
                                           PlanUse use = PlanUse::batch);
 

@@ -19,7 +19,7 @@ using base::FirstError;
 using base::TomlSection;
 using nlohmann::json;
 
-// The last three are of a search (read_search()), which the same plan may have.
+// The last three belong to a search (read_search()), which the same plan may contain.
 constexpr std::array<std::string_view, 11> kPlanKeys{"programs",  "machines", "controllers", "reports",
                                                      "pictures",  "options",  "sampling",    "setting",
                                                      "objective", "limit",    "search"};
@@ -67,7 +67,7 @@ class PlanReader {
         check_design(section);
     }
 
-    /// The texts of a list, or one by itself.
+    /// Reads the texts of a list, or a single text.
     std::vector<std::string> texts(TomlSection& section, const toml::table& table, std::string_view key) {
         std::vector<std::string> found;
         const toml::node* node = table.get(key);
@@ -83,7 +83,7 @@ class PlanReader {
         return {};
     }
 
-    /// From the folder of the plan; a name that is no file there stays one.
+    /// Resolves a name in the folder of the plan; a name without such a file stays a name.
     std::string file_of(const std::string& name) const {
         const fs::path path = folder_ / name;
         std::error_code ignored;
@@ -139,7 +139,7 @@ class PlanReader {
             plan_.design.runs = whole_number(section, "runs", 1, kMostRuns, 1);
     }
 
-    /// A search says itself what is tried.
+    /// A search defines itself what is tried.
     void check_search(TomlSection& section) {
         if (section.has("sampling"))
             section.fail("sampling",
@@ -150,7 +150,7 @@ class PlanReader {
                          "'machine.controller.model' with 'values'");
     }
 
-    /// What would do nothing.
+    /// Options without effect are errors.
     void check_path_options(TomlSection& section) {
         if (std::any_of(plan_.programs.begin(), plan_.programs.end(), is_path)) return;
         for (const char* option : {"post", "path_frame", "rotary_as_given"}) {

@@ -9,9 +9,10 @@
 
 namespace gsim::batch {
 
-/// A plan as JSON, for another process to go on with: its files are found, and stay those that they are.
+/// Prints a plan as JSON for another process to continue with: its files are already resolved and do not
+/// change.
 std::string print_plan_json(const Plan& plan);
-/// Such a text. The error is a sentence.
+/// Reads such a text. The error is a message.
 tl::expected<Plan, std::string> read_plan_json(std::string_view text);
 
 }  // namespace gsim::batch

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// What no double is nearer to 0 or 1 by: a normal distribution has no value there.
+// Smallest distance from 0 and 1, because a normal distribution has no value there.
 constexpr double kLeastShare = 1e-12;
 
 json value_of(const Choices& choices, double share) {
@@ -33,7 +33,7 @@ json value_of(const Normal& normal, double share) {
                                  std::clamp(share, kLeastShare, 1 - kLeastShare));
 }
 
-// Its distribution function is a parabola on either side of the mode.
+// The distribution function is a parabola on either side of the mode.
 json value_of(const Triangular& triangle, double share) {
     const double width = triangle.to - triangle.from;
     if (width <= 0) return triangle.from;
@@ -42,7 +42,7 @@ json value_of(const Triangular& triangle, double share) {
     return triangle.to - std::sqrt((1 - share) * width * (width - rise));
 }
 
-/// Orders are numbered by Lehmer's code, the first thing counting most.
+/// Orders are numbered by Lehmer's code, with the first item most significant.
 json value_of(const Order& order, double share) {
     std::vector<std::size_t> left(order.count);
     std::iota(left.begin(), left.end(), std::size_t{0});

@@ -9,42 +9,43 @@
 
 namespace gsim::batch {
 
-/// Values one of which is taken.
+/// Values from which one is taken.
 struct Choices {
     std::vector<nlohmann::json> values;
 };
-/// Numbers that are all alike between two.
+/// Uniformly distributed numbers between two bounds.
 struct Uniform {
     double from = 0, to = 0;
 };
 struct Normal {
     double mean = 0, deviation = 0;
 };
-/// From `from` to `to`, most often `mode`.
+/// Triangular distribution from `from` to `to` with its peak at `mode`.
 struct Triangular {
     double from = 0, to = 0, mode = 0;
 };
 
-/// An order of so many things: a list of 0 to count - 1, each once.
+/// Order of a number of items: a list of 0 to count - 1, each once.
 struct Order {
-    std::size_t count = 0;  ///< kMostOrdered at most.
+    std::size_t count = 0;  ///< At most kMostOrdered.
 };
-inline constexpr std::size_t kMostOrdered = 18;  ///< Whose orders a double can number.
+inline constexpr std::size_t kMostOrdered = 18;  ///< Orders of so many fit into a double.
 
-/// What a setting may be.
+/// Domain of a setting.
 using Domain = std::variant<Choices, Uniform, Normal, Triangular, Order>;
 
-/// Something that differs from run to run (SettingValue).
+/// Quantity that differs from run to run (SettingValue).
 struct Setting {
-    std::vector<std::string> keys;  ///< One at least, which get the same values.
+    std::vector<std::string> keys;  ///< At least one; all get the same values.
     Domain domain;
     SettingUse use = SettingUse::set;
 };
 
-/// Adds a value of the setting, for each of its keys.
+/// Adds a value of the setting for each of its keys.
 void add_values(const Setting& setting, const nlohmann::json& value, std::vector<SettingValue>& values);
 
-/// The value that a share of all others lies below: 0 <= share < 1. Choices are alike.
+/// Returns the quantile: the value that a share of all others lies below, 0 <= share < 1. Choices are equally
+/// likely.
 nlohmann::json value_at(const Domain& domain, double share);
 
 }  // namespace gsim::batch

@@ -112,7 +112,7 @@ class SettingReader {
         }
     }
 
-    /// Keys that say nothing beside the others.
+    /// Rejects keys that have no effect next to the others.
     static void refuse_unused(TomlSection& section, bool has_values) {
         if (has_values)
             return refuse(section, {"from", "to", "steps", "distribution", "mean", "mode", "deviation"},
@@ -140,7 +140,7 @@ class SettingReader {
         return choices;
     }
 
-    /// Of all keys.
+    /// Returns a value that is valid for all keys.
     std::optional<json> value_in(const toml::node& node) {
         auto value = setting_.keys.front() == kOrderKey ? list_of_numbers(node) : plain_value(node);
         if (!value || (setting_.use != SettingUse::set && !value->is_number())) {

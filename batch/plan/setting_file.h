@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of plans alone: toml++ is slow to compile.
+// Only for the readers of plans, because toml++ is slow to compile.
 
 #include <cstdint>
 #include <functional>
@@ -14,17 +14,17 @@
 
 namespace gsim::batch {
 
-/// A plain value as JSON; nothing where it is none.
+/// Returns a plain value as JSON; empty if it is not plain.
 std::optional<nlohmann::json> plain_value(const toml::node& node);
 
-/// A whole number; what is none between these is an error.
+/// Returns an integer. A value that is not an integer between `least` and `most` is an error.
 std::uint64_t whole_number(base::TomlSection& section, std::string_view key, std::uint64_t least,
                            std::uint64_t most, std::uint64_t fallback);
 
-/// The file that a plan means by a name.
+/// Function that returns the file for a name in a plan.
 using FileOf = std::function<std::string(const std::string& name)>;
 
-/// One [[setting]] of a plan. Nothing, or an error beside it, where it is wrong.
+/// Reads one [[setting]] of a plan. Returns no setting, or sets `error`, if it is wrong.
 std::optional<Setting> read_setting(base::FirstError& error, const toml::table& table, const FileOf& file_of);
 
 }  // namespace gsim::batch

@@ -67,7 +67,7 @@ class BatchRun {
             while (!stop_ && next < tally_.jobs && pool_.has_room()) {
                 if (auto begun = begin(jobs_.job(number_of(next++))); !begun) return begun;
                 if (auto kept = keep_up(); !kept) return kept;
-                // What ends meanwhile is not to look late.
+                // Results are collected regularly, so that the end of a run is noticed in time.
                 if (next % kLookEach == 0) {
                     if (auto taken = take_rows(std::chrono::milliseconds(0)); !taken) return taken;
                 }
@@ -92,7 +92,7 @@ class BatchRun {
         return options_.only ? (*options_.only)[place] : place;
     }
 
-    /// A job that was done before is noted, another one given to a worker.
+    /// Records a job that was done before, or gives it to a worker.
     SqlDone begin(Job job) {
         RunKey key = known_.key_of(job);
         using Found = tl::expected<std::optional<Results::FoundRun>, std::string>;
@@ -102,7 +102,7 @@ class BatchRun {
             ++tally_.reused;
             return note(job.number, (*found)->run, (*found)->is_clean, true);
         }
-        // The same one is under way: its run stands for both.
+        // The same run is in progress: it counts for both jobs.
         if (const auto same = under_way_.find(key.key); same != under_way_.end()) {
             waiting_.at(same->second).others.push_back(job.number);
             return {};
@@ -134,7 +134,7 @@ class BatchRun {
         return results_->note(job, run, reused);
     }
 
-    /// What comes is seen by others, and told, now and then.
+    /// Commits and reports new results from time to time, so that others see them.
     SqlDone keep_up() {
         const auto now = Clock::now();
         if (now < next_commit_) return {};

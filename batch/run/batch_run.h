@@ -15,37 +15,37 @@
 
 namespace gsim::batch {
 
-/// How a plan is carried out.
+/// Options for the execution of a plan.
 struct BatchOptions {
     std::string results;  ///< File.
     std::size_t workers = 1;
-    std::uint64_t memory_mb = 4096;  ///< Of each worker.
-    double timeout_s = 600;          ///< Of each run, by the clock.
+    std::uint64_t memory_mb = 4096;  ///< For each worker.
+    double timeout_s = 600;          ///< For each run, by the clock.
     Journal journal = Journal::write_ahead;
-    std::optional<std::vector<std::uint64_t>> only = {};  ///< Numbers of jobs; nothing: all of them.
-    bool anew = false;                                    ///< What is there already is run all the same.
-    std::chrono::milliseconds lock_wait{0};               ///< For whoever else changes the file.
-    bool retry = false;  ///< What crashed, took too long or too much memory is run again.
+    std::optional<std::vector<std::uint64_t>> only = {};  ///< Numbers of jobs; empty: all of them.
+    bool anew = false;                                    ///< Repeats runs that already exist.
+    std::chrono::milliseconds lock_wait{0};               ///< For other programs that change the file.
+    bool retry = false;  ///< Repeats runs that crashed, took too long or too much memory.
 };
 
-/// What came of it.
+/// Result of a batch.
 struct BatchTally {
     std::int64_t batch = 0;  ///< Its number in the results.
     std::uint64_t jobs = 0;
     std::uint64_t ran = 0;
     std::uint64_t reused = 0;      ///< They were there already.
-    std::uint64_t failed = 0;      ///< Of both.
-    std::uint64_t undrawn = 0;     ///< Pictures that were wanted, and could not be drawn.
-    std::string why_undrawn = {};  ///< Of the first of these, in a sentence.
+    std::uint64_t failed = 0;      ///< Among both.
+    std::uint64_t undrawn = 0;     ///< Requested pictures that could not be drawn.
+    std::string why_undrawn = {};  ///< Message of the first of these.
     double wall_s = 0;
     bool whole = false;  ///< Else it was cut off.
 
     std::uint64_t done() const { return ran + reused; }
 };
 
-/// Runs what has not been run yet, and puts it into the file of results as it comes. `stop`: no further job
-/// is begun, those under way come to their end. `progress` is called now and then. The error is a sentence;
-/// what was there by then is in the file.
+/// Runs the jobs that have not been run yet, and writes their results to the file as they come. `stop`: no
+/// further job is begun, those in progress are completed. `progress` is called from time to time. The error
+/// is a message; the results so far are in the file.
 tl::expected<BatchTally, std::string> run_batch(const Plan& plan, const BatchOptions& options,
                                                 const std::atomic<bool>& stop,
                                                 const std::function<void(const BatchTally&)>& progress);

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Of this program, and of those that runs may call.
+/// Hashes this program, and those that runs may call.
 std::string hash_of_programs(InputFiles& files) {
     std::string hashes = files.hash_of(own_program());
     for (const char* helper : {"gsim-solid", "gsim-rcs-host"}) {

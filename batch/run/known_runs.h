@@ -13,17 +13,17 @@
 
 namespace gsim::batch {
 
-/// Finds runs that were made before, by all that makes them what they are.
+/// Run cache: finds earlier runs by all inputs that determine them.
 class KnownRuns {
   public:
     KnownRuns();
 
-    /// The program's version, with what tells one build from another.
+    /// Returns the program's version, with a mark that distinguishes builds.
     const std::string& version() const { return version_; }
-    /// All that is known before a run: this program, the job, and the files that it names. What it reads
-    /// beside those is looked at where it is found again.
+    /// Returns the key of a job, as known before a run: this program, the job, and the files that it names.
+    /// Other files that the run reads are checked when the run is found again.
     RunKey key_of(const Job& job);
-    /// As Results::find().
+    /// Same as Results::find().
     tl::expected<std::optional<Results::FoundRun>, std::string> find(Results& results, const RunKey& key,
                                                                      const Job& job, bool retry);
 

@@ -5,7 +5,7 @@
 
 namespace gsim::batch {
 
-/// The file of the program that runs: workers and tasks are begun by it.
+/// Returns the file of the running program, which starts workers and tasks.
 inline std::string own_program() {
     std::error_code ignored;
     return std::filesystem::read_symlink("/proc/self/exe", ignored).string();

@@ -27,10 +27,10 @@ constexpr const char *kProgram = ".nc", *kMachine = ".machine.toml", *kCell = ".
                      *kRobots = ".robots.toml", *kData = ".data.txt";
 constexpr std::array kFileEndings{kProgram, kMachine, kCell, kRobots, kData};
 
-/// Keys of machine files, cells and files of robots that name files.
+/// Keys with file names in machine files, cells and files of robots.
 constexpr std::array kFileKeys{"machine", "machine_data", "mesh", "cell"};
 
-/// The places of all names of files beside `folder` in a document.
+/// Finds the positions of all file names in a document that are relative to `folder`.
 void find_names(const json& value, const fs::path& folder, const base::TomlPath& path,
                 std::vector<std::pair<base::TomlPath, std::string>>& found) {
     const auto go_on = [&](const auto& key, const json& inner) {
@@ -53,7 +53,7 @@ void find_names(const json& value, const fs::path& folder, const base::TomlPath&
     }
 }
 
-/// A file of TOML as it may lie elsewhere.
+/// Returns a TOML file with absolute names, so that it may lie elsewhere.
 tl::expected<std::string, std::string> with_whole_names(std::string text, const fs::path& file) {
     auto edit = base::TomlEdit::read(std::move(text), file.string());
     if (!edit) return Fault(edit.error());
@@ -94,7 +94,7 @@ class VariantWriter {
         if (const auto done = os::write_file(name, text); !done && fault_.empty()) fault_ = done.error();
     }
 
-    /// Where the job has another text for the file.
+    /// Writes the file if the job has another text for it.
     void put_file(std::string& name, const std::string& file, const char* ending, const JobTexts& texts) {
         const auto changed = texts.changed.find(fs::path(file).lexically_normal().string());
         if (file.empty() || changed == texts.changed.end()) return;
@@ -110,7 +110,8 @@ class VariantWriter {
     std::string fault_;
 };
 
-/// What files of one job begin with: the program's name, and a number where there are several.
+/// Returns the start of the file names of one job: the program's name, with a number if the plan has several
+/// jobs.
 std::string stem_of(const Job& job, std::uint64_t count) {
     std::string stem = fs::path(job.program).filename().string();
     for (const char* ending : {".path.json", ".path.lua"}) {
@@ -119,7 +120,7 @@ std::string stem_of(const Job& job, std::uint64_t count) {
     return count > 1 ? fmt::format("{}-{}", stem, job.number + 1) : stem;
 }
 
-/// What a plan names, and what the machines and the cell of it name.
+/// Returns the files that a plan names, and those that its machines and its cell name.
 std::vector<std::string> files_that_are_read(const Plan& plan) {
     std::vector<std::string> files = plan.programs;
     files.push_back(plan.name);
@@ -140,7 +141,7 @@ std::vector<std::string> files_that_are_read(const Plan& plan) {
     return files;
 }
 
-/// All that write_variant() may write.
+/// Returns all files that write_variant() may write.
 std::vector<std::string> files_of_variants(const Plan& plan, const std::string& folder) {
     const Plan one = with_variants(plan, {{}});
     const Jobs jobs(one);

@@ -10,16 +10,16 @@
 
 namespace gsim::batch {
 
-/// Writes what a variant of a plan comes to into a folder, which is made: for each program on each machine
-/// the program (of a path, what is written of it), and machine file, cell, robots and machine data, where
-/// settings change them. What files name goes by whole names, so that they may lie elsewhere. Gives the jobs
-/// of these files, with options alone.
+/// Writes the files of a variant of a plan into a folder, which is created. Each program on each machine gets
+/// its program file (for a path, the generated program). Machine file, cell, robots and machine data are
+/// added if settings change them. File names inside become absolute, so that the files may lie elsewhere.
+/// Returns the jobs of these files, which have only options.
 tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
                                                           const std::vector<SettingValue>& settings,
                                                           const std::string& folder);
 
-/// Why the files of a variant cannot be written into a folder, which is made, in a sentence: one is there
-/// already, or, where they may be overwritten, the search itself reads it. Nothing where all is well.
+/// Returns a message why the files of a variant cannot be written into a folder, which is created. Either one
+/// exists already, or, if overwriting is allowed, the search itself reads it. Empty if no error is found.
 std::string fault_of_folder(const Plan& plan, const std::string& folder, bool overwrite);
 
 }  // namespace gsim::batch

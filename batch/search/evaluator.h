@@ -10,14 +10,14 @@
 
 namespace gsim::batch {
 
-/// A batch that has been run.
+/// Batch that has been run.
 struct Evaluated {
     std::int64_t batch = 0;
     bool whole = false;  ///< Else it was cut off.
 };
 
-/// Has all jobs of a plan in the results, wherever they are run; `anew`: what is there already is run all the
-/// same. The error is a sentence.
+/// Function that runs all jobs of a plan into the results, on any computer; `anew`: existing runs are
+/// repeated. The error is a message.
 using Evaluate = std::function<tl::expected<Evaluated, std::string>(const Plan& plan, bool anew)>;
 
 }  // namespace gsim::batch

@@ -24,7 +24,7 @@ double mirrored(double value) {
     return std::min(within, 1.0);
 }
 
-/// Of the better half of the trials (equation 49 of the tutorial, the positive ones).
+/// Returns the weights of the better half of the trials (equation 49 of the tutorial, the positive ones).
 VectorXd weights_of(std::size_t population) {
     const auto parents = static_cast<Index>(population / 2);
     VectorXd weights(parents);
@@ -34,7 +34,7 @@ VectorXd weights_of(std::size_t population) {
     return weights / weights.sum();
 }
 
-/// The constants of table 1 of the tutorial (of 2023).
+/// Constants of table 1 of the tutorial (of 2023).
 struct Constants {
     Constants(double n, double mass_in)
         : mass(mass_in),
@@ -45,9 +45,9 @@ struct Constants {
           many_rate(std::min(1 - one_rate, 2 * (0.25 + mass - 2 + 1 / mass) / ((n + 2) * (n + 2) + mass))),
           mean_length(std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n))) {}
 
-    double mass;  ///< Of the variance that the parents have together.
+    double mass;  ///< Variance effective mass of the parents.
     double step_rate, step_damping, path_rate, one_rate, many_rate;
-    double mean_length;  ///< Of a vector of normal lots.
+    double mean_length;  ///< For a normally distributed vector.
 };
 
 }  // namespace

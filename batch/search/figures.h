@@ -5,7 +5,7 @@
 
 namespace gsim::batch {
 
-/// Figures of runs (columns of `run`) that a search may be for, or may have limits of.
+/// Metrics of runs (columns of `run`) that a search may optimise or limit.
 inline constexpr std::array<std::string_view, 17> kFigures{
     "cycle_time_s", "rapid_s",      "feed_s",       "dwell_s",           "rapid_mm",     "feed_mm",
     "energy_j",     "clearance_mm", "deviation_mm", "joint_speed_share", "violations",   "collisions",

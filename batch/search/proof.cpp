@@ -20,7 +20,7 @@ class Prover {
            const Evaluate& evaluate)
         : search_(search), start_(state.start.runs), results_(results), evaluate_(evaluate) {}
 
-    /// Runs of a variant as the search has made them, but for what is told of them.
+    /// Repeats the runs of a variant as in the search, but with more reports.
     tl::expected<Proof::Bounded, std::string> again(const Trial& trial) {
         const Plan plan = with_variants(with_more(search_.plan), {trial.settings});
         return runs_of(plan).and_then([&](const auto& runs) { return compared(trial, runs); });
@@ -56,7 +56,7 @@ class Prover {
         return read_figures(*results, evaluated->batch, Jobs(plan).size());
     }
 
-    /// All that both have is the same.
+    /// Checks that all metrics that both have are the same.
     tl::expected<Proof::Bounded, std::string> compared(const Trial& trial,
                                                        const std::vector<RunFigures>& runs) const {
         Proof::Bounded bounded{.value = score_of(search_, runs, start_).value, .lower_bound_s = 0};

@@ -12,24 +12,23 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-// Classes of what is not allowed, each worse than the ones before: past limits, ended before the end, not
-// begun.
+// Classes of violations, each worse than the previous ones: past limits, ended before the end, not begun.
 constexpr double kMostExcess = 1e5, kEnded = 1e6, kNotBegun = 1e9;
 
 bool has_figures(const RunFigures& run) {
     return run.status == "completed" || run.status == "violations";
 }
 
-/// Of a run by itself.
+/// Returns the violation of a single run.
 double violation_of(const RunFigures& run) {
     if (run.is_clean()) return 0;
     if (has_figures(run)) return std::max(1.0, run.figure("violations") + run.figure("collisions"));
-    // What comes farther is nearer.
+    // A run that gets farther is closer to a valid one.
     if (run.status == "alarm" || run.status == "stopped") return kEnded + kEnded / (1 + run.figure("blocks"));
     return kNotBegun;
 }
 
-/// By how much a figure is beyond its limit, as a share of that.
+/// Returns the excess of a metric beyond its limit, as a share of the limit.
 double excess(const FigureLimit& limit, const RunFigures& run) {
     const auto found = run.figures.find(limit.figure);
     if (found == run.figures.end() || !found->second) return kMostExcess;

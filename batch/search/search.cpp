@@ -31,7 +31,7 @@ std::string objective_text(const SearchPlan& search) {
     return text.dump();
 }
 
-/// Points that are spread evenly: Sobol's sequence, of which more points begin with those that fewer have.
+/// Returns evenly spread points of Sobol's sequence. A longer list begins with the points of a shorter one.
 std::vector<VectorXd> spread_points(std::size_t dimensions, std::uint64_t count, std::uint64_t seed) {
     const std::vector<Setting> coordinates(dimensions, Setting{{""}, Uniform{0, 1}});
     const Design design(coordinates, {.sampling = Sampling::sobol, .runs = count, .seed = seed});
@@ -64,7 +64,7 @@ class BestSearch {
     }
 
   private:
-    /// Tries variants; their places from the best one on. Nothing: it was cut off.
+    /// Tries variants; returns their indices from the best one on. Empty: the search was cut off.
     tl::expected<std::vector<std::size_t>, std::string> try_all(const Variants& variants) {
         const Plan plan = with_variants(search_.plan, variants);
         const auto evaluated = evaluate_(plan, false);
@@ -85,14 +85,14 @@ class BestSearch {
             if (!begun) return Fault(begun.error());
             state_.search = *begun;
         }
-        // What only the start lacks is a mistake of the plan; a variant without a figure is not allowed.
+        // A metric that the start lacks is an error of the plan; a variant without a metric is not allowed.
         if (const std::string missing = is_start ? find_missing_figure(search_, runs) : ""; !missing.empty())
             return Fault(missing);
         std::vector<Score> scores;
         std::vector<TrialRow> rows;
         for (std::size_t i = 0; i < variants.size(); ++i) {
             Trial trial{.settings = variants[i], .score = {}, .runs = {}};
-            // All variants of a program on one machine are one behind the other.
+            // All variants of a program on one machine are consecutive.
             for (std::size_t at = i; at < runs.size(); at += variants.size()) trial.runs.push_back(runs[at]);
             trial.score = score_of(search_, trial.runs, is_start ? trial.runs : state_.start.runs);
             scores.push_back(trial.score);
@@ -111,7 +111,7 @@ class BestSearch {
         return places;
     }
 
-    /// A setting that no run can have is told early.
+    /// Records a setting that no run can have, so that it is reported early.
     void note_refusals(const Trial& trial) {
         for (const RunFigures& run : trial.runs) {
             const bool refused = was_not_begun(run);
@@ -150,7 +150,8 @@ class BestSearch {
 
     Done explore() {
         if (cut_off_) return {};
-        // Not by how many there are in all: a search with more of them goes on behind one with fewer.
+        // The number does not depend on the total, so that a search with more variants continues one with
+        // fewer.
         std::uint64_t count = search_.first;
         if (count == 0) count = std::min(kFirstOfDimension * space_.dimensions(), kMostFirst);
         count = std::min(count, left());
@@ -210,7 +211,7 @@ class BestSearch {
     SearchState state_;
     bool cut_off_ = false;
     std::uint64_t begun_ = 0;  // runs of variants that were begun
-    std::string refused_;      // why the first one that was not is not
+    std::string refused_;      // why the first refused run was refused
 };
 
 }  // namespace

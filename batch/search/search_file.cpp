@@ -107,7 +107,7 @@ class SearchReader {
                std::any_of(search_.limits.begin(), search_.limits.end(), is_it);
     }
 
-    /// Without which runs do not have the figures.
+    /// Adds the options without which runs do not have the metrics.
     void add_options() {
         if (needs("joint_speed_share")) search_.plan.options["joint_speeds"] = true;
         if (needs("lower_bound_s")) search_.plan.options["lower_bound"] = true;

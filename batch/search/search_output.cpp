@@ -19,7 +19,8 @@ using nlohmann::ordered_json;
 
 constexpr double kTrialsWidth_px = 640, kTrialsHeight_px = 220, kLeft_px = 60, kFoot_px = 24;
 
-/// How a figure of several runs is one: what is a way or a time adds up; of the others the worst counts.
+/// Combines a metric of several runs into one value: distances and times add up; for the others the worst
+/// value counts.
 std::optional<double> figure_of(const Trial& trial, std::string_view figure) {
     std::optional<double> all;
     for (const RunFigures& run : trial.runs) {
@@ -42,12 +43,12 @@ std::string shown(std::optional<double> value) {
     return value ? fmt::format("{:.6g}", *value) : "-";
 }
 
-/// A row of a table in which start and best stand beside each other.
+/// Returns a row of a table with start and best in adjacent columns.
 std::string row(std::string_view title, std::optional<double> start, std::optional<double> best) {
     return fmt::format("  {:<36}{:>14}{:>14}\n", title, shown(start), shown(best));
 }
 
-/// "+ " and "x " as in settings_json().
+/// Returns the text with "+ " and "x " as in settings_json().
 std::string value_text(const SettingValue& setting) {
     if (!setting.value.is_number()) return setting.value.dump();
     const char* use = setting.use == SettingUse::factor ? "x " : setting.use == SettingUse::shift ? "+ " : "";
@@ -139,7 +140,7 @@ tl::expected<std::vector<Dot>, std::string> dots_of(Database& results, std::int6
     }
 }
 
-/// Trials over their number, those that are allowed filled; the line is the best one so far.
+/// Draws trials over their number, allowed ones filled; the line is the best one so far.
 std::string picture(const std::vector<Dot>& dots) {
     std::vector<double> values;
     for (const Dot& dot : dots) {
@@ -147,7 +148,7 @@ std::string picture(const std::vector<Dot>& dots) {
     }
     if (values.empty()) return "<p>No trial is without a fault.</p>";
     std::sort(values.begin(), values.end());
-    // What is far worse is drawn at the upper edge: what is looked at is how the best ones come together.
+    // Much worse values are drawn at the upper edge, because the picture shows how the best ones converge.
     const double least = values.front();
     const double most =
         std::max(values[values.size() * 9 / 10], dots.front().allowed ? dots.front().value : least);

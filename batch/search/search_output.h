@@ -11,10 +11,10 @@
 
 namespace gsim::batch {
 
-/// What a search has come to, for people. `proof`: where the best variant was run once more.
+/// Returns the result of a search, for people. `proof`: given if the best variant was run once more.
 std::string to_text(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof);
 std::string to_json(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof);
-/// One page that needs no other file, with a picture of all trials from the results.
+/// Returns one page that needs no other file, with a picture of all trials from the results.
 tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
                                                const std::optional<Proof>& proof, Database& results);
 

@@ -12,32 +12,31 @@
 
 namespace gsim::batch {
 
-/// A figure of runs, and how much it counts: what is least is best, so that a weight below 0 makes more of it
-/// better.
+/// Metric of runs with its weight. The minimum is best, so a weight below 0 makes larger values better.
 struct Weight {
     std::string figure;  ///< One of kFigures.
     double weight = 1;
 };
 
-/// What a figure of each run has to keep.
+/// Limits of a metric, for each run.
 struct FigureLimit {
     std::string figure;
     std::optional<double> least = {}, most = {};
 };
 
-/// What is searched for: the values of a plan's settings for which the sum of the objective over its programs
-/// and machines is least, of those with which all runs are without a fault and within the limits.
+/// Goal of a search: the values of a plan's settings that minimise the sum of the objective over its programs
+/// and machines. Only values count with which all runs are without an error and within the limits.
 struct SearchPlan {
     Plan plan;
     std::vector<Weight> objective;
     std::vector<FigureLimit> limits;
-    std::uint64_t variants = 200;  ///< That are tried at most.
-    std::uint64_t first = 0;       ///< Of these spread evenly at first; 0: as many as the settings need.
-    std::uint64_t population = 0;  ///< Variants that are tried at once behind that; 0: likewise.
+    std::uint64_t variants = 200;  ///< Max number to be tried.
+    std::uint64_t first = 0;  ///< Number of these spread evenly at first; 0: as many as the settings need.
+    std::uint64_t population = 0;  ///< Variants tried at once after that; 0: likewise.
     std::uint64_t seed = 1;
 };
 
-/// Reads a plan with what it says of a search (docs/optimise.md). The error begins with its place.
+/// Reads a plan with its search part (docs/optimise.md). The error begins with its source location.
 tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name);
 
 }  // namespace gsim::batch

@@ -8,8 +8,8 @@
 
 namespace gsim::batch {
 
-/// Settings as points of a box, each coordinate from 0 to 1: one for a setting, and for an order as many as
-/// it has things, which stand in the order of their coordinates.
+/// Settings as points of a box, each coordinate from 0 to 1: one for a setting. An order has one for each of
+/// its items, which are sorted by their coordinates.
 class Space {
   public:
     explicit Space(std::vector<Setting> settings);

@@ -29,12 +29,12 @@ constexpr std::uint64_t kShardMemory_mb = 4096;
 constexpr std::chrono::milliseconds kClusterLockWait(60'000);
 constexpr int kCancelWait_s = 60;
 
-/// What a node is told to have where nobody has told it: no figure.
+/// Memory below which a node's value is ignored: Slurm reports such a value if it is not configured.
 constexpr std::uint64_t kLeastNode_mb = 256;
-/// Of a task, beside its workers.
+/// Memory of a task in addition to its workers.
 constexpr std::uint64_t kOwn_mb = 128;
 
-/// Goes through all jobs: those that were run before belong to the batch at once.
+/// Iterates over all jobs: those that were run before belong to the batch at once.
 tl::expected<Shards, std::string> find_todo(const Plan& plan, const ClusterOptions& options) {
     auto lock = os::FileLock::get(options.results, std::chrono::milliseconds(0));
     if (!lock) return Fault(lock.error());
@@ -138,7 +138,7 @@ Done submit_jobs(const fs::path& folder, const ClusterOptions& options, const Cl
     return write_shards(folder, shards);
 }
 
-/// How many jobs a file of a shard has a run of.
+/// Returns the number of jobs that have a run in the file of a shard.
 std::uint64_t rows_in(const fs::path& file) {
     if (!fs::exists(file)) return 0;
     auto results = Database::open(file.string(), true);
@@ -192,7 +192,7 @@ tl::expected<Shards, std::string> submitted_shards(const fs::path& folder, const
     });
 }
 
-/// What an earlier submission has left, so that it is not run again.
+/// Removes the files of an earlier submission, so that it is not run again.
 Done clear_earlier(const fs::path& folder) {
     if (!fs::exists(folder / "shards.json")) return {};
     const auto shards = read_shards(folder);
@@ -278,7 +278,7 @@ tl::expected<ClusterState, std::string> cancel(const std::string& results) {
     if (!shards) return Fault(shards.error());
     if (const auto cancelled = cancel_jobs({shards->gather_job, shards->array_job}); !cancelled)
         return Fault(cancelled.error());
-    // Tasks let the runs that are under way come to their end.
+    // Tasks complete the runs that are in progress.
     for (int waited_s = 0; waited_s < kCancelWait_s; ++waited_s) {
         const auto state = state_of_shards(folder, *shards);
         if (state && state->is_over()) break;
@@ -335,7 +335,7 @@ tl::expected<Gathered, std::string> gather(const std::string& folder) {
     if (const auto ended = results->end_batch(gathered.whole); !ended) return Fault(ended.error());
     shards->gathered = gathered.whole;
     if (const Done written = write_shards(folder, *shards); !written) return Fault(written.error());
-    // All that they have is in the results.
+    // All runs of the shard files are in the results.
     std::error_code ignored;
     for (std::uint64_t shard = 0; gathered.whole && shard < shards->shards; ++shard)
         fs::remove(shard_file(folder, shard), ignored);

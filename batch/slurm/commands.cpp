@@ -17,7 +17,7 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-/// What a program prints.
+/// Runs a program and returns its output.
 tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command) {
     const os::FileHandle in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
     if (!in || !out) return Fault("cannot make a temporary file");
@@ -51,7 +51,7 @@ std::string value_of(const std::map<std::string, std::string>& fields, const std
     return found == fields.end() ? std::string() : found->second;
 }
 
-/// The name of the partition that jobs go to where none is named: sinfo puts a star behind it.
+/// Returns the partition for jobs that name none: sinfo marks it with a star at the end.
 tl::expected<std::string, std::string> default_partition() {
     const auto names = output_of({"sinfo", "--noheader", "--format=%P"});
     if (!names) return Fault(names.error());
@@ -115,7 +115,7 @@ tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string
         if (colon == std::string_view::npos) break;
         rest.remove_prefix(colon + 1);
     }
-    // Behind days come hours; else minutes stand alone or in front of seconds, hours in front of both.
+    // After days come hours. Otherwise minutes are alone or in front of seconds, hours in front of both.
     if (dash != std::string_view::npos) parts.resize(3, 0);
     const std::uint64_t hours = parts.size() == 3 ? parts[0] : 0;
     const std::uint64_t minutes = parts.size() == 3 ? parts[1] : parts[0];
@@ -126,7 +126,7 @@ tl::expected<ClusterLimits, std::string> ask_limits(const std::string& partition
     ClusterLimits limits{.partition = partition};
     const auto config = output_of({"scontrol", "show", "config"});
     if (!config) return Fault("no cluster answers: " + config.error());
-    // Places in an array are below it.
+    // Array indices are below it.
     limits.array_tasks = whole(value_of(read_fields(*config), "MaxArraySize")).value_or(1001) - 1;
     if (limits.partition.empty()) {
         auto name = default_partition();
@@ -152,7 +152,7 @@ tl::expected<std::string, std::string> submit_job(const std::vector<std::string>
     command.insert(command.end(), options.begin(), options.end());
     command.push_back(script);
     return output_of(command).map([](const std::string& told) {
-        // With several clusters its name stands behind the number.
+        // With several clusters the cluster's name follows the number.
         return told.substr(0, told.find_first_of(";\n"));
     });
 }
@@ -161,7 +161,7 @@ tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(cons
     std::map<std::int64_t, std::string> tasks;
     const auto told = output_of({"squeue", "--noheader", "--array", "--format=%K %T %r", "--jobs=" + job});
     if (!told) {
-        // That is how squeue says that it has forgotten a job.
+        // squeue prints this if it has forgotten a job.
         if (told.error().find("Invalid job id") != std::string::npos) return tasks;
         return Fault(told.error());
     }
@@ -182,7 +182,7 @@ tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(cons
 tl::expected<void, std::string> cancel_jobs(const std::vector<std::string>& jobs) {
     for (const std::string& job : jobs) {
         if (job.empty()) continue;
-        // One that Slurm has forgotten has ended.
+        // A job that Slurm has forgotten has ended.
         const auto told = output_of({"scancel", job});
         if (!told && told.error().find("Invalid job id") == std::string::npos) return Fault(told.error());
     }

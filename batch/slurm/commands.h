@@ -11,34 +11,35 @@
 
 namespace gsim::batch {
 
-/// What a cluster and one of its partitions allow.
+/// Limits of a cluster and one of its partitions.
 struct ClusterLimits {
     std::string partition;                        ///< Its name.
-    std::uint64_t array_tasks = 0;                ///< Of a job array, at most.
-    std::optional<std::uint64_t> time_min = {};   ///< Of a job, at most; nothing: no limit.
-    std::optional<std::uint64_t> memory_mb = {};  ///< Of its largest node.
+    std::uint64_t array_tasks = 0;                ///< Max tasks of a job array.
+    std::optional<std::uint64_t> time_min = {};   ///< Max for a job; empty: no limit.
+    std::optional<std::uint64_t> memory_mb = {};  ///< Memory of its largest node.
     std::uint64_t nodes = 0;
 };
 
-/// Asks the cluster by scontrol and sinfo; an empty name: the default partition. The error is a sentence.
+/// Queries the cluster by scontrol and sinfo; an empty name: the default partition. The error is a message.
 tl::expected<ClusterLimits, std::string> ask_limits(const std::string& partition);
 
-/// Slurm's way to write a time, "2-12:30:00", "90" (minutes), "01:30:00", in minutes, rounded down; nothing:
-/// UNLIMITED. The error: it is none.
+/// Reads a time in Slurm's format, "2-12:30:00", "90" (minutes), "01:30:00", in minutes, rounded down; empty:
+/// UNLIMITED. The error: the text is no time.
 tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string_view text);
 
-/// Values of a line as scontrol prints it, NAME=VALUE with blanks between, or NAME = VALUE on lines.
+/// Returns the values of a line as scontrol prints it, NAME=VALUE separated by blanks, or NAME = VALUE on
+/// lines.
 std::map<std::string, std::string> read_fields(std::string_view text);
 
-/// Submits a job by sbatch; its number.
+/// Submits a job by sbatch; returns its number.
 tl::expected<std::string, std::string> submit_job(const std::vector<std::string>& options,
                                                   const std::string& script);
 
-/// States ("RUNNING", "PENDING"; "HELD": waiting until somebody releases it) of the tasks of a job that are
-/// in the queue, by their places in the array. A task without a place is -1. None where the job is gone.
+/// Returns the states ("RUNNING", "PENDING"; "HELD": waiting for its release) of a job's tasks in the queue,
+/// by their array indices. A task without an index is -1. Empty if the job is gone.
 tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(const std::string& job);
 
-/// Ends jobs, running or waiting.
+/// Cancels jobs, running or waiting.
 tl::expected<void, std::string> cancel_jobs(const std::vector<std::string>& jobs);
 
 }  // namespace gsim::batch

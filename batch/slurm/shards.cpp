@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
 
-/// Numbers that follow each other as first and last: a million of them is one line.
+/// Encodes consecutive numbers as first and last, so that a million of them is one line.
 json ranges_of(const std::vector<std::uint64_t>& numbers) {
     json ranges = json::array();
     for (std::size_t i = 0; i < numbers.size();) {

@@ -11,34 +11,35 @@
 
 namespace gsim::batch {
 
-/// A batch that a cluster runs in pieces, in a folder that all of its machines see, RESULTS.slurm: the plan,
-/// which jobs are in which shard, a file of results for each shard, what tasks print.
+/// Batch that a cluster runs in parts, in a folder visible to all its computers, RESULTS.slurm: the plan, the
+/// jobs of each shard, a file of results for each shard, the output of tasks.
 struct Shards {
     std::string results;              ///< File that all of it comes into.
     std::int64_t batch = 0;           ///< There.
-    std::string token = {};           ///< Its own.
-    std::uint64_t jobs = 0;           ///< Of the batch, with those that were there already.
+    std::string token = {};           ///< Its token.
+    std::uint64_t jobs = 0;           ///< Jobs of the batch, including earlier runs.
     std::vector<std::uint64_t> todo;  ///< Numbers of the jobs that are run.
     std::uint64_t shards = 0;
-    std::uint64_t workers = 1;  ///< Of each task.
+    std::uint64_t workers = 1;  ///< For each task.
     std::uint64_t memory_mb = 4096;
     double timeout_s = 600;
     std::string array_job;   ///< Slurm's number; empty: it is not submitted.
-    std::string gather_job;  ///< Of the job that puts all together behind it.
+    std::string gather_job;  ///< Job that gathers all results afterwards.
     bool gathered = false;   ///< All of it is in the results.
     bool ended = false;      ///< It was cancelled, or could not be submitted: what it lacks will not come.
 
-    /// The jobs of a shard.
+    /// Returns the jobs of a shard.
     std::vector<std::uint64_t> jobs_of(std::uint64_t shard) const;
 };
 
 std::filesystem::path folder_of(const std::string& results);
 std::filesystem::path shard_file(const std::filesystem::path& folder, std::uint64_t shard);
 
-/// How many shards so many jobs make: of `each` jobs, but no more shards than the cluster takes in an array.
+/// Returns the number of shards for so many jobs: of `each` jobs, but no more shards than the cluster takes
+/// in an array.
 std::uint64_t shard_count(std::uint64_t jobs, std::uint64_t each, std::uint64_t most);
 
-/// Writes and reads a folder's files. The errors are sentences.
+/// Writes the files of a folder (the next functions read them). The errors are messages.
 tl::expected<void, std::string> write_shards(const std::filesystem::path& folder, const Shards& shards);
 tl::expected<Shards, std::string> read_shards(const std::filesystem::path& folder);
 tl::expected<void, std::string> write_plan_of(const std::filesystem::path& folder, const Plan& plan);

@@ -10,8 +10,9 @@
 
 namespace gsim::batch {
 
-/// Waits until nothing of the batch of these results is in the queue, or `stop`; looks each `poll`. A
-/// controller may be away for a while. The state then, or why it cannot be told.
+/// Waits until no job of these results' batch is in the queue, or until `stop`; checks at each interval
+/// `poll`. A controller may be unavailable for a while. Returns the final state, or the reason why it is
+/// unknown.
 tl::expected<ClusterState, std::string> wait_until_over(const std::string& results,
                                                         const std::atomic<bool>& stop,
                                                         std::chrono::milliseconds poll);

@@ -5,21 +5,21 @@
 
 namespace gsim::batch {
 
-/// How much of a figure's spread goes with a setting: regression on all settings at once, each in units of
-/// its own deviation (Saltelli and others 2008, 1.2.5). It tells what a straight line can; `explained` says
-/// how much that is.
+/// Share of a metric's spread that follows a setting: regression on all settings at once, each in units of
+/// its deviation (Saltelli and others 2008, 1.2.5). It covers only linear effects; `explained` is their
+/// share.
 struct Sensitivity {
     struct Part {
         std::string setting;
-        double slope = 0;        ///< Of the figure, by the setting's own unit.
+        double slope = 0;        ///< Slope of the metric per unit of the setting.
         double coefficient = 0;  ///< In deviations of the figure by one deviation of the setting: -1 to 1.
     };
     std::vector<Part> parts = {};
     double explained = 0;  ///< Share of the variance, 0 to 1.
 };
 
-/// `settings`: a list for each, as long as `figures`. Those that do not differ are left out; nothing where
-/// there are no more runs than settings, or the figure is the same in all.
+/// Computes the sensitivity. `settings`: a list for each, as long as `figures`. Constant settings are left
+/// out. The result is empty if the runs do not outnumber the settings, or the metric is constant.
 Sensitivity regress(const std::vector<std::string>& names, const std::vector<std::vector<double>>& settings,
                     const std::vector<double>& figures);
 

@@ -18,7 +18,7 @@ constexpr double kEach = 0.025;  // beyond either end
 constexpr std::array kShares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 constexpr double kMostBins = 60;
 constexpr double kOnePercent = 0.01;
-constexpr double kMostRuns = 1e15;  // that are told
+constexpr double kMostRuns = 1e15;  // largest printed
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -31,7 +31,7 @@ double deviation_of(std::span<const double> values, double mean) {
     return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-/// Of the mean's interval, by Student's t.
+/// Returns the half-width of the mean's interval, by Student's t.
 double half_width(double deviation, std::size_t count) {
     const boost::math::students_t distribution(static_cast<double>(count - 1));
     return quantile(complement(distribution, kEach)) * deviation / std::sqrt(static_cast<double>(count));
@@ -44,13 +44,14 @@ double at_share(std::span<const double> sorted, double share) {
     return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// The number of values below the percentile is binomial: the value at a place is above it where fewer are
-/// below.
+/// The number of values below the percentile is binomial. The value at an index is above the percentile if
+/// fewer values are below it.
 Interval interval_of(std::span<const double> sorted, double share) {
     const boost::math::binomial below(static_cast<double>(sorted.size()), share);
     std::vector<std::size_t> places(sorted.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    // Up to here a value is above the percentile, and from there on one is below it, with kEach at most.
+    // Up to `least` a value is above the percentile with a probability of at most kEach, and from `most` on
+    // one is below it.
     const auto least = std::partition_point(places.begin(), places.end(), [&](std::size_t place) {
         return cdf(below, static_cast<double>(place)) <= kEach;
     });

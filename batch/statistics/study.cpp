@@ -24,7 +24,7 @@ struct Run {
 
 using Runs = std::vector<Run>;
 
-/// Runs by program and machine, in the order of their jobs.
+/// Returns runs by program and machine, in the order of their jobs.
 tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> read_runs(Database& results) {
     auto rows = results.prepare("SELECT program, machine, status, cause, settings, cycle_time_s FROM latest");
     if (!rows) return Fault(rows.error());
@@ -39,7 +39,7 @@ tl::expected<std::map<std::pair<std::string, std::string>, Runs>, std::string> r
     }
 }
 
-/// A setting as a number: one that is, a factor ("x 1.1") or what is added ("+ 1.1").
+/// Returns a setting as a number: a number itself, a factor ("x 1.1") or an addend ("+ 1.1").
 std::optional<double> number_in(const json& value) {
     if (value.is_number()) return value.get<double>();
     if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
@@ -82,7 +82,7 @@ Study study_of(const std::string& program, const std::string& machine, const Run
             ++study.failed;
             ++causes[run.cause.empty() ? run.status : run.cause];
         }
-        // Past limits or with a collision it has a time all the same.
+        // A run past limits or with a collision has a time as well.
         if (run.status == "completed" || run.status == "violations") completed.push_back(run);
     }
     study.failed_share = share_interval(study.failed, study.runs);
@@ -95,7 +95,7 @@ Study study_of(const std::string& program, const std::string& machine, const Run
     return study;
 }
 
-/// Runs of a source, numbered among those that are told the same: copies are pairs one by one.
+/// Numbers the runs of a source among those with equal inputs, so that copies are paired one by one.
 std::string numbered(std::string_view source) {
     return fmt::format(
         "(SELECT program, machine, options, settings, status, cause, cycle_time_s, row_number() OVER "
@@ -186,7 +186,7 @@ tl::expected<Comparison, std::string> compare_batches(Database& results, std::in
     const std::int64_t latest = batches->whole(0), other = batches->whole(1);
     if (other <= 0 || other >= latest)
         return Fault(fmt::format("there is no such batch before the latest one in '{}'", results.file()));
-    // The same program on the same machine, whatever became of their texts.
+    // The same program on the same machine is compared, even if their texts have changed.
     auto pairs =
         results.prepare(pairs_of("(SELECT run.*, batch_run.job FROM batch_run JOIN run ON run.id = "
                                  "batch_run.run WHERE batch_run.batch = ?)",

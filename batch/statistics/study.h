@@ -11,40 +11,41 @@
 
 namespace gsim::batch {
 
-/// What many runs of one program on one machine tell, in the variants of the latest batch.
+/// Statistics of many runs of one program on one machine, in the variants of the latest batch.
 struct Study {
     std::string program, machine;
     std::uint64_t runs = 0;
     std::uint64_t failed = 0;
     Interval failed_share = {};
-    std::vector<std::pair<std::string, std::uint64_t>> causes = {};  ///< Of failures, by how many.
+    std::vector<std::pair<std::string, std::uint64_t>> causes = {};  ///< Causes of failure, with counts.
     std::vector<double> times_s = {};  ///< Cycle times of those that completed, in the order of their jobs.
-    SampleSummary time = {};           ///< Of these; its count is 0 where there are none.
-    Sensitivity sensitivity = {};      ///< Of the cycle time, to settings that are numbers.
+    SampleSummary time = {};           ///< For these; its count is 0 if none exist.
+    Sensitivity sensitivity = {};      ///< For the cycle time, to numeric settings.
 };
 
-/// One for each program and machine with two runs at least.
+/// Returns a study for each program and machine with at least two runs.
 tl::expected<std::vector<Study>, std::string> read_studies(Database& results);
 
-/// Two machines, or two batches, by the runs that both have: of the same program with the same settings.
+/// Comparison of two machines, or two batches, by the runs that both have: of the same program with the same
+/// settings.
 struct Comparison {
     std::string first, second;
     std::uint64_t pairs = 0;
-    std::uint64_t faster = 0, slower = 0;  ///< How often the second one takes less, and more, than the first.
+    std::uint64_t faster = 0,
+                  slower = 0;  ///< Runs in which the second takes less, and more, time than the first.
     std::uint64_t fails_first = 0, fails_second = 0;  ///< Pairs of which that one alone fails.
-    SampleSummary difference_s =
-        {};  ///< The second less the first, where both completed; its count may be 0.
+    SampleSummary difference_s = {};   ///< The second minus the first, if both completed; its count may be 0.
     double first_s = 0, second_s = 0;  ///< Sums over those.
 };
-/// Each machine of the latest batch with the first one.
+/// Compares each machine of the latest batch with the first one.
 tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& results);
-/// The latest batch with the one of that number before it; 0: with the last one before.
+/// Compares the latest batch with the one of that number before it; 0: with the last one before.
 tl::expected<Comparison, std::string> compare_batches(Database& results, std::int64_t before);
 
 std::string to_text(const Study& study);
 std::string to_text(const Comparison& comparison);
 std::string to_json(const std::vector<Study>& studies, const std::vector<Comparison>& comparisons);
-/// One page with pictures that needs no other file.
+/// Returns one page with pictures that needs no other file.
 std::string to_html(const std::vector<Study>& studies, const std::vector<Comparison>& comparisons);
 
 }  // namespace gsim::batch

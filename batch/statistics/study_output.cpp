@@ -88,7 +88,7 @@ ordered_json json_of(const Comparison& comparison) {
     return text;
 }
 
-/// Bars of a histogram, with marks at the 5th, 50th and 95th percentile.
+/// Draws the bars of a histogram, with marks at the 5th, 50th and 95th percentile.
 std::string picture(const Study& study) {
     const std::vector<Bin> bins = histogram(study.times_s);
     std::uint64_t most = 1;

@@ -20,7 +20,7 @@ namespace {
 using Fault = tl::unexpected<std::string>;
 using nlohmann::json;
 
-constexpr std::size_t kLongestCause = 60;  // characters of a sentence in the summary
+constexpr std::size_t kLongestCause = 60;  // characters of a message in the summary
 
 /// Calls `take` with the statement at each row of a query.
 template <typename Take>
@@ -123,7 +123,7 @@ SqlDone write_csv(Database& results, std::string_view query, const Sink& sink) {
         std::vector<std::string> cells;
         cells.reserve(static_cast<std::size_t>(row.columns()));
         for (int column = 0; column < row.columns(); ++column) {
-            // As text SQLite has no more than 15 digits.
+            // SQLite prints only 15 digits as text.
             cells.push_back(row.is_number(column) ? fmt::format("{}", row.number(column))
                                                   : quoted_csv(row.text(column)));
         }

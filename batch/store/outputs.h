@@ -10,17 +10,18 @@
 
 namespace gsim::batch {
 
-/// Takes a text in pieces. False: it cannot be written.
+/// Function that receives a text in parts. False: it cannot be written.
 using Sink = std::function<bool(std::string_view)>;
 
-/// The rows of a query as CSV (RFC 4180), under a line with the names of its columns.
+/// Writes the rows of a query as CSV (RFC 4180), after a line with the column names.
 SqlDone write_csv(Database& results, std::string_view query, const Sink& sink);
-/// The same as JSON, an object a line. Columns of JSON (settings, options, extents, findings) are values.
+/// Does the same as JSON, one object a line. Columns of JSON (settings, options, extents, findings) are
+/// values.
 SqlDone write_json_lines(Database& results, std::string_view query, const Sink& sink);
 
-/// All runs of the latest batch, with all that there is of them.
+/// All runs of the latest batch, with all columns.
 inline constexpr std::string_view kWholeRuns = "SELECT * FROM latest";
-/// The same without findings, which no table has room for.
+/// The same without findings, which do not fit into a table.
 inline constexpr std::string_view kPlainRuns =
     "SELECT job, program, machine, machine_name, controller, options, settings, status, cause, message, "
     "file, line, "
@@ -30,13 +31,13 @@ inline constexpr std::string_view kPlainRuns =
     "lower_bound_s, extents, cpu_s, reused, ran_at, version, key FROM "
     "latest";
 
-/// The latest batch as JUnit has it: a suite for each machine, a case for each run.
+/// Writes the latest batch in the JUnit format: a suite for each machine, a case for each run.
 SqlDone write_junit(Database& results, const Sink& sink);
-/// What is wrong with the programs of the latest batch, as SARIF 2.1.0: each finding once, whatever number of
-/// machines has it.
+/// Writes the findings of the programs of the latest batch as SARIF 2.1.0: each finding once, for any number
+/// of machines.
 SqlDone write_sarif(Database& results, const Sink& sink);
 
-/// How the latest batch went, for people: causes of failures, and the machines.
+/// Returns a summary of the latest batch for people: causes of failures, and the machines.
 tl::expected<std::string, std::string> summary(Database& results);
 
 }  // namespace gsim::batch

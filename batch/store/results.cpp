@@ -38,7 +38,7 @@ tl::expected<std::int64_t, std::string> ask(Database& database, const char* quer
     return *row ? asked->whole(0) : 0;
 }
 
-/// What version 2 has more.
+/// Returns the additions of version 2.
 std::string second_version() {
     std::string sql = kTablesOf2;
     for (const char* figure : kFiguresOf2)
@@ -51,7 +51,7 @@ SqlDone make_tables(Database& database) {
                                         kApplication, second_version()));
 }
 
-/// A new file gets its tables, another one has to have them.
+/// A new file gets its tables, an existing one must have them.
 SqlDone check_or_make(Database& database) {
     const auto tables = ask(database, "SELECT count(*) FROM sqlite_schema");
     if (!tables) return Fault(tables.error());
@@ -67,14 +67,14 @@ SqlDone check_or_make(Database& database) {
     return {};
 }
 
-/// Of what a database says that it is, and of which version.
+/// Returns true if a database has the identification of gsim, and this version.
 bool is_of_version(Database& database, std::int64_t version) {
     const auto application = ask(database, "PRAGMA application_id");
     return application && *application == kApplication &&
            ask(database, "PRAGMA user_version").value_or(0) == version;
 }
 
-/// Of a statement that gives one row with one number.
+/// Returns the number of a statement that gives one row with one number.
 tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
     const auto row = statement.step();
     if (!row) return Fault(row.error());
@@ -83,7 +83,7 @@ tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
     return number;
 }
 
-/// With more time or memory, or when nobody ends it from outside.
+/// True if a run may succeed with more time or memory, or without being ended from outside.
 bool may_go_better(std::string_view status, std::string_view message) {
     return status == "crashed" || status == "timeout" || status == "memory" ||
            (status != "completed" && message.find("memory") != std::string_view::npos);
@@ -106,7 +106,7 @@ Results::Results(Database database, std::unique_ptr<Statements> statements)
 Results::Results(Results&&) noexcept = default;
 
 Results::~Results() {
-    // Statements go before their database; what was not committed by then is the caller's choice.
+    // Statements must be destroyed before their database. Data not committed by then is up to the caller.
     statements_.reset();
 }
 
@@ -211,7 +211,7 @@ tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const 
         if (!row) return Fault(row.error());
         if (!*row) break;
         const bool lost = may_go_better(find.text(1), find.text(4));
-        // What has ended without a report will not have one.
+        // A run that ended without a report will not get one.
         if (retry && lost) continue;
         const bool has_all =
             (!wanted.report || find.whole(2) != 0) && (!wanted.picture || find.whole(5) != 0);
@@ -219,7 +219,7 @@ tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const 
             (lost ? lost_ones : candidates)
                 .push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
     }
-    // Of what took its process with it nobody knows what it had read: it counts where there is no better one.
+    // The inputs of a run that lost its process are unknown, so it counts only if no better run exists.
     candidates.insert(candidates.end(), lost_ones.begin(), lost_ones.end());
     for (const FoundRun& found : candidates) {
         const auto current = is_current(found.run, hash_of);

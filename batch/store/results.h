@@ -15,66 +15,66 @@
 
 namespace gsim::batch {
 
-/// What a run is found again by.
+/// Key by which a run is found again.
 struct RunKey {
     std::string key;             ///< Hash of all that is known before it.
     std::string program_sha256;  ///< Empty: the program cannot be read.
-    std::string machine_sha256;  ///< Of its file; empty: built in.
+    std::string machine_sha256;  ///< Hash of its file; empty: built in.
 };
 
-/// Says what a file is now: its hash, empty where there is none.
+/// Function that returns the current hash of a file, empty if the file does not exist.
 using HashOf = std::function<std::string(const std::string& name)>;
 
-/// How SQLite keeps a file whole where a program ends in its middle.
+/// Method by which SQLite keeps a file consistent if a program is interrupted.
 enum class Journal : std::uint8_t {
     write_ahead,  ///< Others read while one writes; all of them on one machine.
     rollback,     ///< For file systems that machines share.
 };
 
-/// Gives a file of results of an earlier version what this one has more, before it is read alone. One that
-/// cannot be changed, or is none, stays as it is.
+/// Adds the columns and tables of this version to a file of results of an earlier one, before it is opened
+/// read-only. A file that cannot be changed, or is no file of results, stays unchanged.
 void bring_up_to_date(const std::string& file);
 
-/// Runs in a file of SQLite (docs/batch.md tells of its tables). One process at a time writes; any number
-/// reads meanwhile.
+/// Runs in an SQLite file (docs/batch.md describes its tables). One process at a time writes; any number may
+/// read meanwhile.
 class Results {
   public:
-    /// Opens the file, or makes it. The error is a sentence: it is of another kind, or of a newer version.
+    /// Opens the file, or creates it. The error is a message: it is of another kind, or of a newer version.
     static tl::expected<Results, std::string> open(const std::string& file,
                                                    Journal journal = Journal::write_ahead);
     Results(Results&&) noexcept;
     Results& operator=(Results&&) = delete;
     ~Results();
 
-    /// A batch begins: `jobs` of them by this plan. All runs that are noted from now on belong to it.
+    /// Begins a batch: `jobs` of them by this plan. All runs that are recorded from now on belong to it.
     SqlDone begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
-    /// A batch that was begun by another process goes on. The error: it is not in this file.
+    /// Continues a batch that another process began. The error: it is not in this file.
     SqlDone resume_batch(std::int64_t batch, const std::string& token);
     std::int64_t batch() const { return batch_; }
-    /// What tells a batch from all others, also in other files.
+    /// Returns the token that distinguishes a batch from all others, also in other files.
     const std::string& token() const { return token_; }
-    /// It came to its end, or was cut off.
+    /// Ends the batch, as complete or as cut off.
     SqlDone end_batch(bool whole);
 
     struct FoundRun {
         std::int64_t run = 0;
         bool is_clean = true;
     };
-    /// A run by its key that is still true: all files that it has read are as they were, it has what is
-    /// wanted where one is wanted, and it did not end by a failure that another try may not have (`retry`).
+    /// Finds a run by its key that is still valid. All files that it has read are unchanged, and it has the
+    /// requested documents. It did not end by an error that another attempt may avoid (`retry`).
     tl::expected<std::optional<FoundRun>, std::string> find(const std::string& key, const HashOf& hash_of,
                                                             Kept wanted, bool retry);
-    /// A new run; its number.
+    /// Adds a new run; returns its number.
     tl::expected<std::int64_t, std::string> add(const Job& job, const RunKey& key, const RunRow& row,
                                                 const std::string& version);
-    /// The run that stands for a job of the batch.
+    /// Records the run for a job of the batch.
     SqlDone note(std::uint64_t job, std::int64_t run, bool reused);
-    /// Takes over what another file has of its jobs: the runs that stand for them there. Those that a job of
-    /// this batch has here already are left alone. How many were taken.
+    /// Copies the runs that another file has for its jobs. Jobs of this batch that already have a run are
+    /// skipped. Returns the number of copied runs.
     tl::expected<std::uint64_t, std::string> take_over(const std::string& file);
-    /// How many jobs of the batch have a run.
+    /// Returns the number of jobs of the batch that have a run.
     tl::expected<std::uint64_t, std::string> noted();
-    /// What was added so far is on the disk, and others see it.
+    /// Commits the additions so far to the disk, so that others see them.
     SqlDone commit();
 
   private:

@@ -4,13 +4,13 @@
 
 namespace gsim::batch {
 
-/// Of the tables below; a file has it as PRAGMA user_version.
+/// Version of the tables below; a file has it as PRAGMA user_version.
 inline constexpr int kSchemaVersion = 2;
 /// "gsim" as PRAGMA application_id.
 inline constexpr int kApplication = 0x6773696d;
 
-/// What version 2 has more, beside the columns of kFiguresOf2: pictures, searches, and what came of each run
-/// for them.
+/// Additions of version 2, without the columns of kFiguresOf2: pictures, searches, and the results of each
+/// run for them.
 inline constexpr const char* kTablesOf2 = R"(
 CREATE TABLE search (
   id INTEGER PRIMARY KEY, plan TEXT NOT NULL, objective TEXT NOT NULL, seed INTEGER NOT NULL, began_at TEXT NOT NULL, ended_at TEXT,
@@ -25,7 +25,7 @@ CREATE VIEW evaluations AS
   SELECT search_run.number, search_run.generation, search_run.value, search_run.violation, run.* FROM search_run
   JOIN run ON run.id = search_run.run WHERE search_run.search = (SELECT max(id) FROM search) ORDER BY search_run.number;
 )";
-/// Columns of `run` that version 2 has more.
+/// Columns of `run` that version 2 adds.
 inline constexpr std::array kFiguresOf2{"clearance_mm", "deviation_mm", "joint_speed_share", "lower_bound_s"};
 
 /// Tables and views of version 1 (docs/batch.md).

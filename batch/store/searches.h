@@ -11,7 +11,7 @@
 
 namespace gsim::batch {
 
-/// A trial of a search, as it is kept: one for each of its runs.
+/// Trial of a search, as it is stored: one row for each of its runs.
 struct TrialRow {
     std::uint64_t number = 0;  ///< Within the search; 0: the start.
     std::int64_t run = 0;
@@ -20,11 +20,11 @@ struct TrialRow {
     double violation = 0;
 };
 
-/// Searches in a file of results that has its tables. Nothing else writes meanwhile.
+/// Begins a search in a file of results that has its tables. No other process writes meanwhile.
 tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
                                                      const std::string& objective, std::uint64_t seed);
 SqlDone add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
-/// With the number of the best trial.
+/// Ends a search, with the number of the best trial.
 SqlDone end_search(Database& results, std::int64_t search, std::uint64_t best);
 
 }  // namespace gsim::batch

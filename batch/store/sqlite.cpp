@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBusy_ms = 10'000;
 
-/// The name of a file that is never changed, as SQLite takes it (https://www.sqlite.org/uri.html).
+/// Returns the name of a file that is never changed, in SQLite's format (https://www.sqlite.org/uri.html).
 std::string immutable_uri(const std::string& file) {
     std::string uri = "file:";
     for (const char c : file) {
@@ -23,7 +23,7 @@ std::string immutable_uri(const std::string& file) {
     return uri + "?immutable=1";
 }
 
-/// What SQLite says of its latest fault, with the system's word for it where that was behind it.
+/// Returns SQLite's message for its latest error, with the system's message if that was the cause.
 std::string sentence_of(sqlite3* database, const std::string& file) {
     std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
     const int status = sqlite3_errcode(database);
@@ -48,7 +48,7 @@ Statement& Statement::bound(int status) {
 }
 
 Statement& Statement::bind(int parameter, std::string_view text) {
-    // An empty view may have no place, which SQLite would take for NULL.
+    // An empty view may have a null pointer, which SQLite would interpret as NULL.
     const char* place = text.data() == nullptr ? "" : text.data();
     return bound(
         sqlite3_bind_text64(statement_.get(), parameter, place, text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
@@ -122,10 +122,10 @@ double Statement::number(int column) const {
 
 tl::expected<Database, std::string> Database::open(const std::string& file, bool for_reading) {
     if (!for_reading) return open_by(file, file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    // Where the file may be written the files beside it go with the last who has it open.
+    // If the file is writable, the last program that closes it removes the auxiliary files of SQLite.
     auto database = open_by(file, file, SQLITE_OPEN_READWRITE);
     if (!database || database->prepare("SELECT count(*) FROM sqlite_schema")) return database;
-    // Neither it nor its folder can be written: nobody changes it meanwhile.
+    // Neither it nor its folder can be written, so no process changes it meanwhile.
     return open_by(file, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 

@@ -14,30 +14,31 @@ struct sqlite3_stmt;
 
 namespace gsim::batch {
 
-/// What a statement of SQL comes to; the error is a sentence of SQLite's behind the file's name.
+/// Result of an SQL statement; the error is a message of SQLite after the file's name.
 using SqlDone = tl::expected<void, std::string>;
 
-/// One statement with its parameters, to be stepped through; made again and again for the same SQL it costs
-/// no more than its steps. It goes before its database.
+/// One SQL statement with its parameters, to be stepped through. Creating it again for the same SQL costs no
+/// more than its steps. It must be destroyed before its database.
 class Statement {
   public:
     /// Parameters count from 1, in the order of their question marks.
     Statement& bind(int parameter, std::string_view text);
     Statement& bind(int parameter, std::int64_t number);
-    Statement& bind(int parameter, std::optional<double> number);  ///< Nothing: NULL.
+    Statement& bind(int parameter, std::optional<double> number);  ///< Empty: NULL.
     Statement& bind_null(int parameter);
 
-    /// The next row: whether there is one. Behind the last one the statement may be bound anew. A parameter
-    /// that was not taken (longer than SQLite's 1,000,000,000 bytes, or memory is short) is told of here.
+    /// Reads the next row; returns true if one exists. After the last row the statement may be bound again.
+    /// Reports also a parameter that was not accepted (longer than SQLite's 1,000,000,000 bytes, or out of
+    /// memory).
     tl::expected<bool, std::string> step();
-    /// To the end, for statements without rows; it may be bound anew then.
+    /// Runs a statement without rows to its end; it may then be bound again.
     SqlDone run();
 
-    /// Of the row that step() has come to. Columns count from 0.
+    /// Returns the number of columns of the current row of step(). Columns count from 0.
     int columns() const;
     std::string name(int column) const;
     bool is_null(int column) const;
-    bool is_whole(int column) const;          ///< A whole number.
+    bool is_whole(int column) const;          ///< True for an integer.
     bool is_number(int column) const;         ///< Any other number.
     std::string_view text(int column) const;  ///< Until the next step.
     std::int64_t whole(int column) const;
@@ -55,22 +56,22 @@ class Statement {
     sqlite3* database_;
     std::shared_ptr<const std::string> file_;
     std::unique_ptr<sqlite3_stmt, Close> statement_;
-    int unbound_ = 0;  ///< Why a parameter was not taken, as SQLite counts reasons.
+    int unbound_ = 0;  ///< SQLite's error code for a parameter that was not accepted.
 };
 
-/// A file of SQLite.
+/// SQLite file.
 class Database {
   public:
-    /// Opens a file, or makes it; `for_reading`: an existing one, of which nothing is changed. The error is a
-    /// sentence with the file's name.
+    /// Opens a file, or creates it; `for_reading`: an existing one, which is not changed. The error is a
+    /// message with the file's name.
     static tl::expected<Database, std::string> open(const std::string& file, bool for_reading = false);
 
-    /// As it was named when it was opened.
+    /// Returns the name with which it was opened.
     const std::string& file() const { return *file_; }
 
-    /// Statements without parameters and rows, with semicolons between.
+    /// Executes statements without parameters and rows, separated by semicolons.
     SqlDone execute(const std::string& sql);
-    /// Of one statement. The error: it is no SQL, or what it names is not there.
+    /// Prepares one statement. The error: invalid SQL, or a name in it does not exist.
     tl::expected<Statement, std::string> prepare(std::string_view sql);
 
   private:

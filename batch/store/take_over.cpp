@@ -10,7 +10,7 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-// All but the id.
+// All columns except the id.
 constexpr const char* kColumns =
     "key, program, program_sha256, machine, machine_sha256, machine_name, controller, options, settings, "
     "version, "
@@ -24,14 +24,14 @@ struct Pair {
     std::int64_t job = 0, run = 0;
 };
 
-/// The jobs of the other file that have no run here, in their order.
+/// Returns the jobs of the other file that have no run here, in their order.
 tl::expected<std::vector<Pair>, std::string> lacking(Database& database, std::int64_t batch) {
-    // A process that was killed at once has left a file without tables.
+    // A process that was killed at once leaves a file without tables.
     auto tables = database.prepare("SELECT count(*) FROM other.sqlite_schema WHERE name = 'batch_run'");
     if (!tables) return Fault(tables.error());
     if (const auto row = tables->step(); !row || tables->whole(0) == 0)
         return row ? tl::expected<std::vector<Pair>, std::string>() : Fault(row.error());
-    // Of each job the newest: a task that was put back has begun another batch in the same file.
+    // The newest run of each job is taken, because a requeued task has begun another batch in the same file.
     auto rows = database.prepare(
         "SELECT theirs.job, theirs.run FROM other.batch_run theirs JOIN (SELECT job, max(batch) AS batch "
         "FROM "
@@ -50,7 +50,7 @@ tl::expected<std::vector<Pair>, std::string> lacking(Database& database, std::in
     }
 }
 
-/// Takes over runs of a database that is attached as `other`.
+/// Copier of runs from a database that is attached as `other`.
 class Copier {
   public:
     static tl::expected<Copier, std::string> of(Database& database) {
@@ -83,7 +83,7 @@ class Copier {
         return copier;
     }
 
-    /// The number of the run here.
+    /// Copies a run; returns its number in this file.
     tl::expected<std::int64_t, std::string> copy(std::int64_t run) {
         run_->bind(1, run);
         const auto row = run_->step();
@@ -109,7 +109,7 @@ class Copier {
 }  // namespace
 
 tl::expected<std::uint64_t, std::string> Results::take_over(const std::string& file) {
-    // No database is attached within a transaction.
+    // SQLite attaches no database within a transaction.
     auto attach = database_.execute("COMMIT").and_then([&]() -> SqlDone {
         auto statement = database_.prepare("ATTACH DATABASE ? AS other");
         if (!statement) return Fault(statement.error());
@@ -117,7 +117,7 @@ tl::expected<std::uint64_t, std::string> Results::take_over(const std::string& f
         return statement->run();
     });
     if (!attach) {
-        // What follows belongs to the batch as before.
+        // The following changes belong to the batch as before.
         static_cast<void>(database_.execute("BEGIN IMMEDIATE"));
         return Fault(attach.error());
     }

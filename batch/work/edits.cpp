@@ -17,7 +17,7 @@ using nlohmann::json;
 using Fault = tl::unexpected<std::string>;
 
 constexpr std::array kKinds{kOfMachine, kOfCell, kOfRobots, kOfData, kOfPath, kOfRun};
-/// What an element of a list is called by.
+/// Keys that name an element of a list.
 constexpr std::array kNames{"letter", "name", "on"};
 
 std::vector<std::string> words_of(std::string_view key) {
@@ -38,7 +38,7 @@ std::optional<std::size_t> place_in(const std::string& word) {
     return place;
 }
 
-/// Of an element of a list, by its place or by what it is called.
+/// Finds an element of a list by its index or by its name.
 std::optional<std::size_t> find_element(const json& list, const std::string& word) {
     if (const auto place = place_in(word)) return *place < list.size() ? place : std::nullopt;
     for (const char* name : kNames) {

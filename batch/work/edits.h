@@ -11,7 +11,7 @@
 
 namespace gsim::batch {
 
-/// What the keys of settings begin with.
+/// Prefix of the keys of settings.
 inline constexpr std::string_view kOfMachine = "machine.";
 inline constexpr std::string_view kOfCell = "cell.";
 inline constexpr std::string_view kOfRobots = "robots.";
@@ -19,19 +19,19 @@ inline constexpr std::string_view kOfData = "data.";
 inline constexpr std::string_view kOfPath = "path.";
 inline constexpr std::string_view kOfRun = "option.";
 
-/// The settings whose keys begin so, with keys that lack it.
+/// Returns the settings with keys that have this prefix, and removes the prefix.
 std::vector<SettingValue> settings_of(std::span<const SettingValue> settings, std::string_view kind);
 
-/// Why a key is none that a setting may have; nothing where it is one.
+/// Returns the reason why a setting must not have this key; empty if it may.
 std::string fault_of_key(const std::string& key);
 
-/// The text of a machine file, a cell or a file of robots (TOML) with other values. Keys are names and places
-/// with dots between: "axis.X.max_mm". The error is a sentence.
+/// Returns the text of a machine file, a cell or a file of robots (TOML) with changed values. Keys are names
+/// and indices separated by dots: "axis.X.max_mm". The error is a message.
 tl::expected<std::string, std::string> edited_toml(std::string text, const std::string& file,
                                                    std::span<const SettingValue> settings);
 
-/// The text of machine data with other values. Keys are a section, an entry and a field: "OFFSET.54.X", in
-/// the unit of the entry. The error is a sentence.
+/// Returns the text of machine data with changed values. Keys are a section, an entry and a field:
+/// "OFFSET.54.X", in the unit of the entry. The error is a message.
 tl::expected<std::string, std::string> edited_data(std::string_view text, const std::string& file,
                                                    std::span<const SettingValue> settings);
 

@@ -11,21 +11,21 @@
 
 namespace gsim::batch {
 
-/// The files of one run: those of the system, and in place of some other texts. It keeps in mind what was
-/// asked for.
+/// Files of one run: those of the system, with replacement texts for some of them. It records the requested
+/// files.
 class FilesOfRun {
   public:
     explicit FilesOfRun(InputFiles& files) : files_(files) {}
 
     void replace(const std::string& name, std::string text);
     bool is_replaced(const std::string& name) const;
-    /// What stands in place of files, by their names.
+    /// Returns the replacement texts by the names of their files.
     const std::map<std::string, std::string>& replaced() const { return replaced_; }
-    /// Nothing where there is no such file.
+    /// Returns the text of a file; empty if no such file exists.
     std::optional<std::string> read(const std::string& name);
-    /// As the file is, whatever stands in its place.
+    /// Reads the file itself, even if it has a replacement text.
     std::optional<std::string> read_as_it_is(const std::string& name);
-    /// A file that others read (meshes by OpenCASCADE, controller modules).
+    /// Records a file that other code reads (meshes by OpenCASCADE, controller modules).
     void note(const std::string& name);
     std::vector<ReadFile> asked() const;
 
@@ -35,9 +35,9 @@ class FilesOfRun {
     std::map<std::string, std::string> asked_;
 };
 
-/// What the engine gets from outside, with the files of a run; those must outlive it.
+/// Returns the engine's host with the files of a run; both arguments must outlive it.
 engine::Host host_with(const engine::Host& system, FilesOfRun& files);
-/// The same without what stands in place of files.
+/// Returns the same without replacement texts.
 engine::Host host_as_it_is(const engine::Host& system, FilesOfRun& files);
 
 }  // namespace gsim::batch

@@ -10,7 +10,7 @@
 
 namespace gsim::batch {
 
-/// Which state of a file it is, as the system tells without reading it.
+/// State of a file that the system provides without reading the file.
 struct FileState {
     std::uint64_t device = 0, inode = 0, size = 0;
     std::int64_t changed_ns = 0;
@@ -18,11 +18,11 @@ struct FileState {
     bool operator==(const FileState&) const = default;
 };
 
-/// The state of a regular file; nothing where there is none.
+/// Returns the state of a regular file; empty if none exists.
 std::optional<FileState> state_of(const std::string& name);
 
-/// Bytes of files and what identifies them, kept as long as the files stay as they are: what many runs read
-/// is read once.
+/// Cache of file contents and hashes, valid as long as the files do not change, so that input of many runs is
+/// read once.
 class InputFiles {
   public:
     struct Content {
@@ -30,9 +30,9 @@ class InputFiles {
         std::string sha256;
     };
 
-    /// Null where there is no such regular file, or it cannot be read.
+    /// Returns null if no such regular file exists, or it cannot be read.
     std::shared_ptr<const Content> get(const std::string& name);
-    /// The same of what is not to be kept in memory: empty where there is no such file.
+    /// Returns the hash of a file without keeping its content; empty if no such file exists.
     std::string hash_of(const std::string& name);
 
   private:
@@ -40,7 +40,7 @@ class InputFiles {
         FileState state;
         std::string sha256;
         std::shared_ptr<const Content> content;  ///< Null: the hash alone.
-        std::list<std::string>::iterator place;  ///< In order of use, where there is a content.
+        std::list<std::string>::iterator place;  ///< Position in order of use, if content exists.
     };
 
     void keep(const std::string& name, Kept kept);

@@ -12,16 +12,16 @@
 
 namespace gsim::batch {
 
-/// What becomes of the value that a file has.
+/// Effect of a setting on the value of a file.
 enum class SettingUse : std::uint8_t {
-    set,     ///< The setting's value takes its place,
+    set,     ///< The setting's value replaces it,
     factor,  ///< is multiplied with it,
     shift,   ///< or added to it.
 };
 
-/// One value of a setting. Its key says of what: `machine.axis.X.max_speed_mm_s` of the machine file (an
-/// element of a list by its place, its letter or its name), `cell.object.post.frame.x_mm` of the cell file,
-/// `robots.robot.left.base.x_mm` of the file of robots, `data.OFFSET.54.X` of the machine data,
+/// One value of a setting. Its key names its target: `machine.axis.X.max_speed_mm_s` in the machine file (an
+/// element of a list by its index, its letter or its name), `cell.object.post.frame.x_mm` in the cell file,
+/// `robots.robot.left.base.x_mm` in the file of robots, `data.OFFSET.54.X` in the machine data,
 /// `path.place.x_mm` of a path, `option.feed_override_percent` of the run.
 struct SettingValue {
     std::string key;
@@ -31,7 +31,7 @@ struct SettingValue {
     bool operator==(const SettingValue&) const = default;
 };
 
-/// What is kept of a run besides its row, where that is wanted.
+/// Optional documents of a run that are stored with its row.
 struct Kept {
     bool report = false;   ///< All of it, as JSON.
     bool picture = false;  ///< Path, speed and acceleration, as SVG.
@@ -39,7 +39,7 @@ struct Kept {
     bool operator==(const Kept&) const = default;
 };
 
-/// One run: a program on a machine, with all that it is told.
+/// One run: a program on a machine, with all its inputs and options.
 struct Job {
     std::size_t number = 0;  ///< Within its batch, from 0.
     std::string program;     ///< File.
@@ -49,13 +49,13 @@ struct Job {
     Kept keeps = {};
 };
 
-/// As a line of JSON, without a line feed.
+/// Returns the job as a line of JSON, without a line feed.
 std::string print_job(const Job& job);
-/// Such a line. The error is a sentence.
+/// Reads such a line. The error is a message.
 tl::expected<Job, std::string> read_job(std::string_view line);
 
-/// The settings as JSON: {"machine.axis.X.max_speed_mm_s": 500, ...}; a factor as "x 1.1", what is added as
-/// "+ 1.1".
+/// Returns the settings as JSON: {"machine.axis.X.max_speed_mm_s": 500, ...}; a factor as "x 1.1", an addend
+/// as "+ 1.1".
 nlohmann::ordered_json settings_json(const std::vector<SettingValue>& settings);
 
 }  // namespace gsim::batch

@@ -19,21 +19,21 @@ using Fault = tl::unexpected<std::string>;
 
 constexpr const char* kBuiltIn = "built-in machine.toml";
 
-/// Puts edited texts in place of the files that settings are of.
+/// Editor that replaces the files of the settings by edited texts.
 class Edits {
   public:
     Edits(const Job& job, engine::Request& request, FilesOfRun& files)
         : job_(job), request_(request), files_(files) {}
 
     Done make() {
-        // The cell may name another machine when it has been changed.
+        // The cell comes first, because a changed cell may name another machine.
         return cell().and_then([&] { return robots(); }).and_then([&] { return machine(); }).and_then([&] {
             return data();
         });
     }
 
   private:
-    /// The text of a file that is asked for by name.
+    /// Returns the text of a file that is referenced by name.
     tl::expected<std::string, std::string> text_of(engine::NameKind kind, std::string& name) {
         auto found = request_.host.find(kind, name);
         if (!found) return Fault(found.error());

@@ -10,11 +10,11 @@
 
 namespace gsim::batch {
 
-/// What a job's options and its settings of the run say. The error is a sentence.
+/// Applies a job's options and its settings of the run. The error is a message.
 tl::expected<void, std::string> set_options(const Job& job, JobRequest& request);
 
-/// Puts edited texts in place of the files that the job's settings are of: cell, robots, machine, data. Names
-/// of the request become those of files. The error is a sentence.
+/// Replaces the files of the job's settings by edited texts: cell, robots, machine, data. Names in the
+/// request become names of files. The error is a message.
 tl::expected<void, std::string> make_edits(const Job& job, engine::Request& request, FilesOfRun& files);
 
 }  // namespace gsim::batch

@@ -7,11 +7,11 @@
 
 namespace gsim::batch {
 
-/// What the engine is asked for by a job.
+/// Request to the engine for a job.
 struct JobRequest {
     engine::Request run;
-    engine::PathRequest path;  ///< Where the program is a path, which is written first.
-    std::string path_frame;    ///< Of the cell, that the path goes along with; empty: with none.
+    engine::PathRequest path;  ///< If the program is a path, which is written first.
+    std::string path_frame;    ///< Frame of the cell that moves the path; empty: none.
     bool joint_speeds = false;
 };
 

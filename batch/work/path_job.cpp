@@ -29,7 +29,7 @@ double& place_of(FramePose& pose, std::size_t place) {
     return place < 3 ? pose.origin_mm[place] : pose.rpy_deg[place - 3];
 }
 
-/// The name of the path whose feeds a key means; nothing: the key is another one.
+/// Returns the name of the path that a feed key refers to; empty result: the key is another one.
 std::optional<std::string> path_of_feed(const std::string& key) {
     if (key == kFeed) return std::string();
     const std::string end = '.' + std::string(kFeed);
@@ -48,7 +48,7 @@ tl::expected<std::vector<std::size_t>, std::string> order_in(const json& value) 
     return order;
 }
 
-/// The post whose programs the machine reads.
+/// Returns the post for programs that the machine reads.
 tl::expected<std::string, Failure> post_for(const JobRequest& request, const engine::Machine& machine) {
     if (!request.path.post.empty()) return request.path.post;
     const std::string& said = request.run.language.dialect;
@@ -61,7 +61,7 @@ tl::expected<std::string, Failure> post_for(const JobRequest& request, const eng
                     dialect, text::joined(posts, ", ")));
 }
 
-/// Where the frame that the path goes along with stands.
+/// Returns the pose of the frame that moves the path.
 tl::expected<FramePose, Failure> frame_of(engine::Machine& machine, const std::string& name) {
     return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
 }

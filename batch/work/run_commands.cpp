@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// An option of a run as gsim-run spells it.
+/// Option of a run in the spelling of gsim-run.
 struct Spelling {
     std::string_view option, word;
     bool is_of_studio = false;
     bool is_file = false;  ///< That the studio serves.
 };
 
-// Permanent variables are not among them: gsim-run would write them.
+// Permanent variables are excluded because gsim-run would write them.
 constexpr std::array kSpellings{
     Spelling{"dialect", "--dialect", true},
     Spelling{"unknown", "--unknown"},
@@ -50,17 +50,17 @@ constexpr std::array kSpellings{
     Spelling{"lower_bound", "--explain"},
 };
 
-/// Not to be taken for an option.
+/// Adds "./" so that a file name is not parsed as an option.
 std::string file_word(const std::string& file) {
     return file.starts_with('-') ? "./" + file : file;
 }
 
-/// A machine that is no file is looked up where machines are installed.
+/// Returns false for a machine that is looked up in the folder of installed machines.
 bool is_file_name(const std::string& machine) {
     return machine.find_first_of("./") != std::string::npos;
 }
 
-/// The words and files that a command takes from a run.
+/// Words and files that a command takes from a run.
 struct CommandParts {
     std::vector<std::string> words;
     std::vector<std::string> files;
@@ -114,7 +114,7 @@ OpenCommand command_of(std::vector<std::string> head, CommandParts parts, std::v
     return {.words = std::move(head), .left_out = std::move(parts.left_out)};
 }
 
-/// A folder that has all of the files; empty: none that their names tell.
+/// Returns a folder that contains all files; empty: their names do not determine one.
 std::string folder_of_all(const std::vector<std::string>& files) {
     const auto is_inner = [](const std::string& file) {
         return fs::path(file).is_relative() && *fs::path(file).lexically_normal().begin() != "..";

@@ -48,7 +48,7 @@ void blame(RunRow& row, const engine::Diagnostic& told) {
     row.line = told.line;
 }
 
-/// A run that was not begun.
+/// Fills the row of a run that was not begun.
 void refuse(RunRow& row, const engine::Failure& failure, const std::vector<engine::Diagnostic>& told) {
     row.status = "refused";
     blame(row, failure.first_error ? *failure.first_error : engine::diagnostic_of(failure));
@@ -64,7 +64,7 @@ std::string extents_of(const engine::Report& report) {
     return extents.dump();
 }
 
-/// The first thing that is wrong with a run.
+/// Stores the first error of a run.
 void take_cause(RunRow& row, const engine::Report& report) {
     if (report.is_clean()) return;
     const auto first =
@@ -111,7 +111,7 @@ std::optional<double> number_in(const json& report, const char* key) {
     return found != report.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
-/// How near bodies come; as far as they are looked at where none comes nearer.
+/// Returns the smallest distance of bodies, or the checked distance if none comes nearer.
 std::optional<double> clearance_in(const json& report) {
     const auto cell = report.find("cell");
     if (cell == report.end() || !cell->is_object()) return std::nullopt;
@@ -121,7 +121,7 @@ std::optional<double> clearance_in(const json& report) {
     return report.at("collisions").empty() ? least_mm : 0;
 }
 
-/// What stands in the report as JSON alone.
+/// Stores the values that only the JSON report has.
 void take_whole(RunRow& row, std::string text, bool keeps) {
     const json report = text::parse_json<json>(text);
     if (const auto controller = report.find("controller");
@@ -136,7 +136,7 @@ void take_whole(RunRow& row, std::string text, bool keeps) {
     if (keeps) row.report = std::move(text);
 }
 
-/// Of all robots.
+/// Monitors the joint speeds of all robots.
 void watch_joint_speeds(RunRow& row, engine::Run& run) {
     row.joint_speed_share = 0;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
@@ -149,7 +149,7 @@ void watch_joint_speeds(RunRow& row, engine::Run& run) {
     }
 }
 
-/// Of several robots the first one's.
+/// Draws the picture, with several robots that of the first one.
 void draw(RunRow& row, const std::string& script) {
     auto picture = engine::drawn(script);
     (picture ? row.picture : row.picture_fault) = picture ? *std::move(picture) : picture.error();

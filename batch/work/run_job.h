@@ -15,22 +15,22 @@
 
 namespace gsim::batch {
 
-/// What a job has the engine read that no file has. Names are those of files; empty: there is none, or the
-/// machine is that of the cell or the one built in.
+/// Inputs of a job that no file contains. Names are those of files; empty: none, or the machine is that of
+/// the cell or the built-in one.
 struct JobTexts {
     std::string machine = {}, machine_data = {}, cell = {}, robots = {};
-    std::map<std::string, std::string> changed = {};  ///< Texts in place of those of these files.
+    std::map<std::string, std::string> changed = {};  ///< Texts that replace those of these files.
     std::optional<std::string> program = {};          ///< Written of a path.
 };
 
-/// Runs jobs one after the other in this process. What all need is made once.
+/// Runner of jobs, one after the other in this process. Objects that all jobs need are created once.
 class JobRunner {
   public:
     JobRunner();
 
-    /// What came of it; nothing that goes wrong with a job is an error here.
+    /// Runs a job and returns its row. Errors of the job are part of the row.
     RunRow run(const Job& job);
-    /// What it would run.
+    /// Returns the texts that it would run.
     tl::expected<JobTexts, engine::Failure> texts_of(const Job& job);
 
   private:

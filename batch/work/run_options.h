@@ -11,24 +11,24 @@
 
 namespace gsim::batch {
 
-/// Something that a run may be told beside its program, its machine and its settings.
+/// Option of a run in addition to its program, its machine and its settings.
 struct RunOption {
     enum class Kind { text, file, flag, number, count };
 
     const char* name;
     Kind kind;
     const char* meaning;
-    void (*set)(JobRequest& request, const nlohmann::json& value);  ///< Of a value of this kind.
+    void (*set)(JobRequest& request, const nlohmann::json& value);  ///< For a value of this kind.
 };
 
-/// All of them, as gsim-run has them.
+/// Returns all options, as in gsim-run.
 std::span<const RunOption> run_options();
-/// Null where there is none of this name.
+/// Returns null if no option has this name.
 const RunOption* find_option(std::string_view name);
 
-/// Whether a value is what the option takes; the error is a sentence.
+/// Checks that the option accepts a value; the error is a message.
 tl::expected<void, std::string> check_option(std::string_view name, const nlohmann::json& value);
-/// Puts one into a request. The error is that of check_option().
+/// Sets an option in a request. The error is that of check_option().
 tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name,
                                            const nlohmann::json& value);
 

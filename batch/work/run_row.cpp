@@ -50,7 +50,7 @@ void for_each_row_field(Row& row, const Take& take) {
     take("picture_fault", row.picture_fault);
 }
 
-/// The same for those that may be missing.
+/// Does the same for those that may be missing.
 template <typename Row, typename Take>
 void for_each_optional(Row& row, const Take& take) {
     take("least_s", row.least_s);

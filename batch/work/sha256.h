@@ -5,7 +5,7 @@
 
 namespace gsim::batch {
 
-/// SHA-256 (FIPS 180-4) of bytes, in hexadecimal digits.
+/// Returns the SHA-256 hash (FIPS 180-4) of bytes, in hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
 }  // namespace gsim::batch

@@ -20,14 +20,14 @@ namespace gsim::batch {
 
 namespace {
 
-// Nothing is unwound: destructors may need memory, too.
+// The stack is not unwound, because destructors may need memory, too.
 [[noreturn]] void end_without_memory() {
     ::_exit(kOutOfMemory);
 }
 
 void bound_memory([[maybe_unused]] std::uint64_t memory_mb) {
     std::set_new_handler(end_without_memory);
-#ifndef GSIM_SANITIZES_ADDRESSES  // that takes all addresses that there are
+#ifndef GSIM_SANITIZES_ADDRESSES  // that reserves the complete address space
     const rlimit bound{memory_mb << 20U, memory_mb << 20U};
     ::setrlimit(RLIMIT_DATA, &bound);
 #endif
@@ -35,8 +35,8 @@ void bound_memory([[maybe_unused]] std::uint64_t memory_mb) {
     ::setrlimit(RLIMIT_CORE, &no_core);
 }
 
-/// Programs and scripts come from anywhere: whatever they do, no file is changed. Without landlock there is
-/// the engine's own care alone.
+/// Programs and scripts may be untrusted, so this process must not change any file. Without landlock only the
+/// engine's checks protect the files.
 void confine_to_reading() {
     const std::filesystem::path here = os::program_folder();
     static_cast<void>(os::confine({.read = {"/"},
@@ -53,10 +53,10 @@ bool answer(const RunRow& row) {
 }  // namespace
 
 int work(std::uint64_t memory_mb) {
-    // Whoever gives the jobs may be killed: nobody is left behind.
+    // If the parent that sends the jobs is killed, no worker remains.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // Who ends a job of a cluster, or of a terminal, means the program in front: it lets each run come to its
-    // end.
+    // A signal that ends a job of a cluster or a terminal is meant for the main program, which lets each run
+    // complete.
     std::signal(SIGTERM, SIG_IGN);
     std::signal(SIGINT, SIG_IGN);
     bound_memory(memory_mb);
@@ -69,10 +69,10 @@ int work(std::uint64_t memory_mb) {
             return 2;
         }
         const RunRow row = runner.run(*job);
-        // The engine catches what new throws: here it is the worker's bound.
+        // The engine catches std::bad_alloc: here it is caused by the worker's limit.
         if (row.status == "refused" && row.message.find("out of memory") != std::string::npos)
             end_without_memory();
-        if (!answer(row)) return 2;  // nobody listens
+        if (!answer(row)) return 2;  // no reader left
     }
     return 0;
 }

@@ -4,15 +4,15 @@
 
 namespace gsim::batch {
 
-/// What a worker is called with by the program that has it work, in front of its bound of memory in MiB.
+/// Word with which the parent program calls a worker, in front of its memory limit in MiB.
 inline constexpr const char* kWorkerWord = "--worker";
 
-/// Runs the jobs that come on standard input, a line each (read_job()), and answers each with a line
-/// (print_row()), until there are no more. The process changes no file, and takes no more than so much memory
-/// for its data; where it would, it ends with kOutOfMemory. The exit status.
+/// Runs the jobs from standard input, a line each (read_job()), and writes a line (print_row()) for each,
+/// until the input ends. The process changes no file, and uses no more than so much memory for its data;
+/// otherwise it ends with kOutOfMemory. Returns the exit status.
 int work(std::uint64_t memory_mb);
 
-/// The exit status of a worker that had not enough memory.
+/// Exit status of a worker that ran out of memory.
 inline constexpr int kOutOfMemory = 12;
 
 }  // namespace gsim::batch

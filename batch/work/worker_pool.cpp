@@ -37,15 +37,15 @@ tl::expected<std::pair<os::Descriptor, os::Descriptor>, std::string> make_pipe()
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
 }
 
-/// By somebody who ends processes (a cluster, an administrator, the system where memory is short): it need
-/// not be the job's fault.
+/// Returns true if another process (a cluster, an administrator, the system if memory is short) ended the
+/// worker: the job need not be the cause.
 bool was_ended_from_outside(int status) {
     if (!WIFSIGNALED(status)) return false;
     const int signal = WTERMSIG(status);
     return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
 }
 
-/// The row of a job whose worker came to an end in it.
+/// Returns the row of a job during which its worker ended.
 RunRow row_of_end(const Job& job, int status, bool timed_out, double timeout_s) {
     RunRow row{.number = job.number};
     row.file = job.program;
@@ -77,9 +77,9 @@ RunRow row_of_end(const Job& job, int status, bool timed_out, double timeout_s) 
 }  // namespace
 
 WorkerPool::WorkerPool(PoolOptions options) : options_(std::move(options)) {
-    // A worker that is gone shows where its output ends, not by a signal to this process.
+    // An ended worker is detected by the end of its output, not by a signal to this process.
     std::signal(SIGPIPE, SIG_IGN);
-    // Two of each worker's pipes are open here.
+    // This process has two open pipes for each worker.
     rlimit open{};
     if (::getrlimit(RLIMIT_NOFILE, &open) == 0) {
         open.rlim_cur = open.rlim_max;
@@ -114,7 +114,7 @@ tl::expected<void, std::string> WorkerPool::begin_worker() {
     os::SpawnActions actions;
     actions.redirect(jobs->first.number(), STDIN_FILENO);
     actions.redirect(rows->second.number(), STDOUT_FILENO);
-    // What a terminal sends to end this program is answered here.
+    // Signals of a terminal that end this program are handled here, not in the worker.
     const auto child = os::spawn(options_.command, actions, os::ProcessGroup::own);
     if (!child) return Fault(fmt::format("cannot run {}: {}", options_.command[0], reason(child.error())));
     for (const int ours : {jobs->second.number(), rows->first.number()})
@@ -160,7 +160,7 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
     for (std::size_t end = 0; (end = worker.received.find('\n', begin)) != std::string::npos;
          begin = end + 1) {
         auto row = read_row(std::string_view(worker.received).substr(begin, end - begin));
-        // What is no row of the job in front is of a worker that has lost its way.
+        // A row that is not for the front job comes from a worker in an invalid state.
         if (!row || worker.jobs.empty() || row->number != worker.jobs.front().job.number) return false;
         rows.push_back(*std::move(row));
         worker.jobs.pop_front();
@@ -171,14 +171,14 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
     return true;
 }
 
-/// Of a worker that has ended: its job gets a row, those that waited behind it another worker.
+/// Handles a worker that has ended: its job gets a row, and pending jobs get another worker.
 tl::expected<void, std::string> WorkerPool::bury(std::list<Worker>::iterator worker,
                                                  std::vector<RunRow>& rows) {
     ::kill(worker->child, SIGKILL);
     const int status = os::wait_for(worker->child).value_or(0);
     std::deque<Given> jobs = std::move(worker->jobs);
     const bool timed_out = worker->timed_out;
-    // A run before it may have left the process damaged: it is tried once more.
+    // An earlier run may have damaged the process, so the job is tried once more.
     const bool may_be_anothers = worker->has_answered && !jobs.empty() && jobs.front().tries == 0;
     workers_.erase(worker);
     if (jobs.empty()) return {};
@@ -224,7 +224,7 @@ tl::expected<std::vector<RunRow>, std::string> WorkerPool::take(std::chrono::mil
         send(*worker);
         const bool goes_on = receive(*worker, rows);
         kill_if_late(*worker);
-        // What a run has begun itself may keep the output of one that was killed open.
+        // A child process of a run may keep the output of a killed worker open.
         if (worker->timed_out || !goes_on) {
             if (auto buried = bury(worker, rows); !buried) return Fault(buried.error());
         }

@@ -17,30 +17,30 @@
 
 namespace gsim::batch {
 
-/// How jobs are run.
+/// Options for running jobs.
 struct PoolOptions {
     std::vector<std::string> command;  ///< Begins a worker.
     std::size_t workers = 1;
-    double timeout_s = 600;  ///< Of a job, by the clock; its worker is killed behind it.
+    double timeout_s = 600;  ///< For a job, by the clock; then its worker is killed.
 };
 
-/// Processes that run jobs. One that crashes, takes too long or too much memory costs the row of its job
-/// alone: another one takes its place.
+/// Pool of processes that run jobs. If one crashes, or takes too long or too much memory, only the row of its
+/// job is lost: another process replaces it.
 class WorkerPool {
   public:
     explicit WorkerPool(PoolOptions options);
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
-    /// Kills the workers that still work.
+    /// Kills the workers that are still active.
     ~WorkerPool();
 
-    /// Whether a job can be taken that will soon be begun.
+    /// Returns true if the pool can take a job that will soon be begun.
     bool has_room() const;
-    /// The error: no process can be begun.
+    /// Adds a job. The error: no process can be started.
     tl::expected<void, std::string> give(Job job);
-    /// How many jobs have no row yet.
+    /// Returns the number of jobs without a row.
     std::size_t in_work() const;
-    /// Waits at most so long until there are rows, and takes those.
+    /// Waits at most so long for rows, and returns them.
     tl::expected<std::vector<RunRow>, std::string> take(std::chrono::milliseconds longest_wait);
 
   private:
@@ -65,7 +65,7 @@ class WorkerPool {
     tl::expected<void, std::string> give_again(Given given);
     tl::expected<void, std::string> begin_worker();
     static void send(Worker& worker);
-    /// Reads what there is; false at the end of its output.
+    /// Reads available output; returns false at the end of the output.
     bool receive(Worker& worker, std::vector<RunRow>& rows);
     tl::expected<void, std::string> bury(std::list<Worker>::iterator worker, std::vector<RunRow>& rows);
     void kill_if_late(Worker& worker) const;

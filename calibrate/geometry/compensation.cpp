@@ -16,7 +16,7 @@ constexpr double kNear_mm = 1e-9;
 constexpr double kProbe_mm = 1;
 constexpr double kLeastDeterminant = 0.01;
 
-/// X, Y and Z where they are slides, else the first three.
+/// Returns X, Y and Z if they are slides, else the first three.
 std::vector<std::size_t> three_slides(const machine::Machine& machine) {
     std::vector<std::size_t> slides, named;
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
@@ -30,7 +30,7 @@ std::vector<std::size_t> three_slides(const machine::Machine& machine) {
     return slides;
 }
 
-/// Readings of slides that bring the tip to the work frame's origin; false where they do not.
+/// Finds readings of slides that move the TCP to the work frame's origin; returns false if none do.
 bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
                      std::vector<double>& readings) {
     const TipFinder finder(geometry);

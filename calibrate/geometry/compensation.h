@@ -10,19 +10,18 @@
 
 namespace gsim::calibrate {
 
-/// A compensation table of LinuxCNC ([JOINT_n] COMP_FILE with COMP_FILE_TYPE = 0): lines of a nominal place
-/// and where the axis really is there, going forward and back, which are the same here.
+/// Compensation table of LinuxCNC ([JOINT_n] COMP_FILE with COMP_FILE_TYPE = 0). Each line has a nominal
+/// position and the real position of the axis there, forward and back, which are equal here.
 struct CompensationTable {
     char letter = 'X';
     std::string text;
 };
 
-/// A table for each axis whose scale was found, over its range, or where that has no ends, over `tips`.
+/// Returns a table for each axis with a fitted scale, over its range, or if that is unbounded, over `tips`.
 std::vector<CompensationTable> compensation_tables(const GeometryFit& fit, std::span<const MeasuredTip> tips);
 
-/// A line of G-code (G10 L2 P1) that sets the work offset so that a program's zero is the work frame's
-/// origin, with rotary axes at the zeros that were found. The error: the machine has no three slides that do
-/// that.
+/// Returns a line of G-code (G10 L2 P1) that sets the work offset. It makes a program's zero the work frame's
+/// origin, with rotary axes at the fitted zeros. The error: the machine has no three slides that can do that.
 tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
                                                         const GeometryFit& fit);
 

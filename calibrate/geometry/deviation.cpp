@@ -23,7 +23,7 @@ constexpr std::array kAxisNames{'x', 'y', 'z'};
 
 machine::Frame frame_of(const rrs::CartPos& pose) {
     const kinematics::Rpy rpy = kinematics::rpy_from_pose(pose);
-    // + 0 makes 0 of -0, which people would wonder at.
+    // Adding 0 turns -0 into 0, because -0 would confuse users.
     return {.x_mm = rpy.x_mm + 0,
             .y_mm = rpy.y_mm + 0,
             .z_mm = rpy.z_mm + 0,
@@ -32,7 +32,7 @@ machine::Frame frame_of(const rrs::CartPos& pose) {
             .yaw_deg = rpy.yaw_rad / kRadPerDeg + 0};
 }
 
-/// A small motion: the rotation about the origin, then the way.
+/// Small motion: the rotation about the origin, then the translation.
 struct Motion {
     Eigen::Vector3d way_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d turn_deg = Eigen::Vector3d::Zero();
@@ -52,7 +52,8 @@ struct Motion {
         pose.translation() = way_mm;
         return pose;
     }
-    /// Of a line through the origin of `joint`, in the axes of the world; as a motion in that frame.
+    /// Returns the motion of a line through the origin of `joint`, given in world axes, as a motion in that
+    /// frame.
     rrs::CartPos in(const rrs::CartPos& joint) const {
         const Eigen::Matrix3d axes = joint.linear();
         rrs::CartPos pose = rrs::CartPos::Identity();
@@ -60,7 +61,7 @@ struct Motion {
         pose.translation() = axes.transpose() * way_mm;
         return pose;
     }
-    /// The frame moved in the axes of the world, turned about its own origin.
+    /// Returns the frame moved in world axes and rotated about its origin.
     rrs::CartPos moved(const rrs::CartPos& frame) const {
         rrs::CartPos pose = rrs::CartPos::Identity();
         pose.linear() = rotation() * frame.linear();
@@ -69,7 +70,7 @@ struct Motion {
     }
 };
 
-/// All that the values of deviations ask for.
+/// Motions that result from the values of deviations.
 struct Motions {
     std::vector<Motion> axes;
     Motion base, tool, work, instrument;
@@ -103,7 +104,7 @@ void add_zero(std::vector<Deviation>& list, const machine::Machine& machine, std
                     .axis = axis});
 }
 
-/// The two axes of the world that lie most across a joint's line, made square to it.
+/// Adds the two world axes most perpendicular to a joint's line, orthogonalised to it.
 void add_across(std::vector<Deviation>& list, const machine::Machine& machine, std::size_t axis, Of of,
                 const Eigen::Vector3d& line) {
     Eigen::Index along = 0;
@@ -155,8 +156,8 @@ double usual_size(const Deviation& deviation) {
     return kUsual_ppm;
 }
 
-// People look for offsets first, then for how the machine stands, then for lines of axes from the tool (or
-// the work) back to the world: of three slides that are not square the first one then gives the direction.
+// Users expect offsets first, then the machine's pose, then lines of axes from the tool (or the work) back to
+// the world. So of three slides that are not square the first one defines the direction.
 std::vector<Deviation> all_deviations(const machine::Machine& machine, const DeviationChoice& choice) {
     std::vector<Deviation> list;
     const auto frames =
@@ -231,7 +232,7 @@ Geometry DeviatedMachine::at(std::span<const Deviation> deviations, const Eigen:
             motions.of(deviation).add(deviation, value);
         }
     }
-    // What each side's next frame has to take back.
+    // Motions that the next frame of each side must undo.
     std::array<rrs::CartPos, 2> back{rrs::CartPos::Identity(), rrs::CartPos::Identity()};
     std::array<bool, 2> moved{};
     for (std::size_t i = 0; i < joints_.size(); ++i) {

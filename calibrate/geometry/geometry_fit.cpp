@@ -14,16 +14,17 @@ namespace gsim::calibrate {
 
 namespace {
 
-/// The length of three errors, each of one standard deviation, that half of them stay below, and that all but
-/// one in 10,000 do (chi distribution with 3 degrees of freedom).
+/// Length of three errors, each of one standard deviation (chi distribution with 3 degrees of freedom): half
+/// of them stay below the first value, all but one in 10,000 below the second.
 constexpr double kMiddleOf3 = 1.5382;
 constexpr double kRareOf3 = 4.60;
-/// A tip's error, 3 or 6 numbers in units of noise, beyond which it counts less than its square. With
-/// ordinary noise that is next to none.
+/// Error of a TCP, 3 or 6 numbers in units of noise, beyond which it counts less than its square. With
+/// ordinary noise hardly any error is beyond it.
 constexpr double kHuberFrom = 4;
 constexpr int kNoiseRounds = 4;
 
-/// The errors where Ceres stands. Values are in units of deviations' usual sizes, so that steps are alike.
+/// Errors at the current point of Ceres. Values are in units of deviations' usual sizes, so that steps are
+/// comparable.
 class Standing : public ceres::EvaluationCallback {
   public:
     Standing(const WeightedErrors& errors, std::span<const Deviation> deviations)
@@ -43,7 +44,7 @@ class Standing : public ceres::EvaluationCallback {
         slopes_at_ = values;
     }
 
-    /// Derivatives at values of 0, which somebody has worked out already.
+    /// Sets derivatives at values of 0, which have been computed before.
     void start_with(const Eigen::MatrixXd& at_zero) {
         slopes = at_zero * units_.asDiagonal();
         slopes_at_ = Eigen::VectorXd::Zero(values.size());
@@ -64,7 +65,7 @@ class Standing : public ceres::EvaluationCallback {
     Eigen::MatrixXd slopes;
 };
 
-/// The error of one tip.
+/// Error of one TCP.
 class OneTip : public ceres::CostFunction {
   public:
     OneTip(const Standing& standing, Eigen::Index tip)
@@ -110,7 +111,7 @@ std::string solve(Standing& standing) {
     return fmt::format("{} steps, {}", summary.iterations.size(), summary.message);
 }
 
-/// The information of the errors on the values, each tip by its weight.
+/// Returns the information matrix of the errors for the values, each TCP by its weight.
 Eigen::MatrixXd information(const Standing& standing) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(standing.values.size(), standing.values.size());
     for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
@@ -123,8 +124,9 @@ Eigen::MatrixXd information(const Standing& standing) {
     return sum;
 }
 
-/// The factor that makes the noise what these lengths say, where `freedom` is the share of all numbers that
-/// values leave over: first by the middle one, which outliers do not move, then by all but outliers.
+/// Returns the factor that scales the noise to these lengths; `freedom` is the share of all numbers that
+/// remains after the fitted values. First uses the median, which is robust to outliers, then all but
+/// outliers.
 double noise_factor(std::vector<double> lengths, double freedom) {
     if (lengths.empty()) return 1;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
@@ -143,7 +145,7 @@ double length_of(const Eigen::VectorXd& errors, Eigen::Index first) {
     return errors.segment<3>(first).norm();
 }
 
-/// The work frame in that of the instrument, so that tips come to lie on measured ones (Umeyama).
+/// Returns the work frame in that of the instrument that aligns TCPs with measured ones (Umeyama).
 rrs::CartPos aligned(const machine::Machine& machine, std::span<const MeasuredTip> tips) {
     const TipFinder finder(DeviatedMachine({.machine = machine, .scales = {}}).nominal());
     Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(tips.size())), to = from;
@@ -175,7 +177,7 @@ std::vector<bool> outliers_of(const Standing& standing) {
     return found;
 }
 
-/// One machine, its tips, and what they are asked for.
+/// Fit of one machine to its measured TCPs.
 class Task {
   public:
     Task(const machine::Machine& machine, std::span<const MeasuredTip> tips, const GeometryOptions& options)
@@ -242,7 +244,7 @@ class Task {
         }
     }
 
-    /// Takes what is left of the errors for the noise of the next round, where it is not given.
+    /// Takes the remaining errors as the noise of the next round, if it is not given.
     void look_at_noise(const Standing& standing) {
         std::vector<double> places, turns;
         for (std::size_t i = 0; i < tips_.size(); ++i) {
@@ -265,7 +267,7 @@ class Task {
     DeviatedMachine deviated_;
     std::vector<Deviation> all_;
     std::vector<Deviation> chosen_;
-    Eigen::MatrixXd first_slopes_;  ///< Of the chosen ones, at 0.
+    Eigen::MatrixXd first_slopes_;  ///< For the chosen ones, at 0.
     Noise noise_;
     bool finds_turns_ = false;
     bool turns_are_measured_ = false;

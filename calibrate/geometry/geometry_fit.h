@@ -28,25 +28,26 @@ struct FoundDeviation {
     double spread = 0;  ///< One standard deviation; both in the deviation's unit.
 };
 
-/// A machine's geometry, fitted to measured tips.
+/// Machine geometry, fitted to measured TCPs.
 struct GeometryFit {
     Geometry geometry;
     std::vector<FoundDeviation> found;
     std::vector<HeldDeviation> held;
-    Eigen::MatrixXd covariance;       ///< Of `found`, in its order and units.
+    Eigen::MatrixXd covariance;       ///< For `found`, in its order and units.
     Eigen::VectorXd singular_values;  ///< See Identified.
-    std::vector<TipError> before;     ///< Of each tip; in the instrument's frame by the best alignment alone.
+    std::vector<TipError> before;  ///< For each TCP; in the instrument's frame by the best alignment alone.
     std::vector<TipError> after;
-    std::vector<bool> outliers;   ///< Tips that lie farther off than noise puts one in 10,000.
+    std::vector<bool> outliers;   ///< TCPs with an error that noise exceeds once in 10,000.
     Noise noise;                  ///< As given, or as found.
-    bool noise_is_found = false;  ///< That of places was not given.
-    double left_over_noise = 0;   ///< Errors after over what noise makes of them: about 1 where all is well.
-    std::string told;             ///< What the last fit ended with, in Ceres's words.
+    bool noise_is_found = false;  ///< Noise of positions was not given.
+    double left_over_noise =
+        0;             ///< Errors after the fit over those expected from noise: about 1 if all is well.
+    std::string told;  ///< Final message of Ceres for the last fit.
 };
 
-/// Fits the deviations of `machine` that `tips` tell of: least squares of the errors in units of their noise,
-/// robust where a tip is off by more than noise is (Huber), on the machine's own kinematics (Ceres,
-/// Levenberg-Marquardt). The error: there are too few tips, or nothing is told.
+/// Fits the deviations of `machine` that `tips` determine. It uses least squares of the errors in units of
+/// their noise, robust if a TCP error exceeds the noise (Huber). The kinematics are the machine's (Ceres,
+/// Levenberg-Marquardt). The error: too few TCPs, or they determine no deviation.
 tl::expected<GeometryFit, std::string> fit_geometry(const machine::Machine& machine,
                                                     std::span<const MeasuredTip> tips,
                                                     const GeometryOptions& options);

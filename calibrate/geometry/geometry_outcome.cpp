@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Errors after over noise from which on something else is among them.
+/// Ratio of errors after the fit to noise above which other errors are present.
 constexpr double kMuchLeft = 1.5;
 
-/// As people measure it: micrometres, seconds of arc, parts per million.
+/// Values in users' units: micrometres, seconds of arc, parts per million.
 struct Shown {
     double factor = 1;
     std::string_view unit;

@@ -10,18 +10,19 @@
 
 namespace gsim::calibrate {
 
-/// The machine file of a fit, with what was found above it as comments. The error: programs would refuse it.
+/// Returns the machine file of a fit, with the results at its top as comments. The error: programs would
+/// reject it.
 tl::expected<std::string, std::string> geometry_text(const GeometryFit& fit);
 
-/// For people: what was found with its spread, what was not to be told, squareness, and tips before and
-/// after, the worst first.
+/// Returns a table for people: results with their spread, undetermined deviations, squareness, and TCP errors
+/// before and after, the worst first.
 std::string geometry_table(const GeometryFit& fit, std::span<const Squareness> squareness);
 
-/// The same as JSON, with the covariance.
+/// Returns the same as JSON, with the covariance.
 std::string geometry_json(const GeometryFit& fit, std::span<const Squareness> squareness);
 
-/// A picture (SVG) of the tips' errors in micrometres, before and after, one bar a tip, each side to its own
-/// measure.
+/// Returns a picture (SVG) of the TCP errors in micrometres, before and after, one bar a TCP, each side with
+/// a separate scale.
 std::string tips_svg(const GeometryFit& fit);
 
 }  // namespace gsim::calibrate

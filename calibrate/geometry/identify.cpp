@@ -11,9 +11,9 @@ namespace gsim::calibrate {
 
 namespace {
 
-/// Below it a direction is not told to better than its usual size.
+/// Limit below which a direction is not determined to better than its usual size.
 constexpr double kLeastTold = 1;
-/// Of what a deviation does, the share that is left to it alone where it only repeats others.
+/// Max share of a deviation's effect not explained by others if it only repeats them.
 constexpr double kRepeats = 1e-3;
 constexpr double kLeastShown = 0.05;
 
@@ -21,14 +21,14 @@ Eigen::MatrixXd part_of(const Eigen::MatrixXd& square, const std::vector<Eigen::
     return square(at, at);
 }
 
-/// Whether each direction of the deviations with these squares of slopes is told to better than its usual
-/// size.
+/// Returns true if each direction of the deviations with these squares of slopes is determined to better than
+/// its usual size.
 bool is_told(Eigen::MatrixXd square) {
     square.diagonal().array() -= kLeastTold * kLeastTold;
     return base::is_positive_definite(square);
 }
 
-/// Which of the chosen ones do what deviation `k` does, and how much of each.
+/// Returns which of the chosen deviations have the effect of deviation `k`, and how much of each.
 std::string why_held(const Eigen::MatrixXd& gram, std::span<const Deviation> deviations,
                      const std::vector<Eigen::Index>& chosen, Eigen::Index k) {
     if (gram(k, k) < kLeastTold) return "moves no tip that was measured";
@@ -63,8 +63,8 @@ Identified identify(const Eigen::MatrixXd& slopes, std::span<const Deviation> de
     const Eigen::MatrixXd scaled = slopes * usual.asDiagonal();
     const Eigen::MatrixXd gram = scaled.transpose() * scaled;
     Identified found;
-    // The singular values of the slopes are the roots of the eigenvalues of their squares: what that loses to
-    // rounding lies at 1e-8 of the greatest one, and a machine of 1 m that is measured to 1 um has 1e5 there.
+    // The singular values of the slopes are the roots of the eigenvalues of their squares. Their rounding
+    // error is 1e-8 of the largest one. A machine of 1 m that is measured to 1 um has 1e5 there.
     found.singular_values = base::symmetric_eigenvalues(gram).cwiseMax(0).cwiseSqrt().reverse();
     const auto rank = static_cast<std::size_t>((found.singular_values.array() > kLeastTold).count());
     std::vector<Eigen::Index> chosen;

@@ -9,22 +9,23 @@
 
 namespace gsim::calibrate {
 
-/// A deviation that stays 0, and why: "moves no tip", or which others do the same.
+/// Deviation that stays 0, and the reason: "moves no tip", or the others with the same effect.
 struct HeldDeviation {
     std::string name;
     std::string why;
 };
 
-/// What measurements tell of a list of deviations.
+/// Information of measurements about a list of deviations.
 struct Identified {
-    std::vector<std::size_t> chosen;  ///< Indices of those that can be told from each other, rising.
+    std::vector<std::size_t> chosen;  ///< Indices of the distinguishable ones, in ascending order.
     std::vector<HeldDeviation> held;  ///< All others.
-    Eigen::VectorXd singular_values;  ///< Of all, in usual sizes over noise: above 1 a combination is told.
+    Eigen::VectorXd
+        singular_values;  ///< For all, in usual sizes over noise: above 1 a combination is determined.
 };
 
-/// `slopes` are derivatives of errors in units of their noise, a column for each deviation. Combinations of
-/// deviations count that are told to better than their usual size (singular values); so many deviations are
-/// chosen, the first ones of the list that can be told apart.
+/// Identifies the determined deviations. `slopes` are derivatives of errors in units of their noise, a column
+/// for each deviation. It counts combinations of deviations that are determined to better than their usual
+/// size (singular values). So many deviations are chosen, the first distinguishable ones of the list.
 Identified identify(const Eigen::MatrixXd& slopes, std::span<const Deviation> deviations);
 
 }  // namespace gsim::calibrate

@@ -18,7 +18,7 @@ constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 constexpr std::array<std::string_view, 3> kPlace{"x_mm", "y_mm", "z_mm"};
 constexpr std::array<std::string_view, 3> kTurn{"roll_deg", "pitch_deg", "yaw_deg"};
 
-/// Where a list has what.
+/// Columns of a list.
 struct TipColumns {
     std::vector<std::size_t> axes;
     std::array<std::size_t, 3> place{}, turn{};
@@ -44,7 +44,7 @@ tl::expected<TipColumns, std::string> find_columns(const Cells& heading, const m
     return columns;
 }
 
-/// Reads the cells of one line; keeps the first error.
+/// Reader of the cells of one line; it keeps the first error.
 class TipLine {
   public:
     explicit TipLine(const Cells& cells) : cells_(cells) {}

@@ -7,16 +7,16 @@
 
 namespace gsim::calibrate {
 
-/// The poses as an instrument would measure them on `geometry`, with normal noise of these standard
+/// Returns the poses as an instrument would measure them on `geometry`, with normal noise of these standard
 /// deviations. The same seed gives the same noise.
 std::vector<MeasuredTip> simulated(const Geometry& geometry, std::vector<MeasuredTip> poses,
                                    const Noise& noise, std::uint64_t seed);
 
-/// Values of deviations for a machine to be hidden: normal, with `share` of their usual sizes as standard
+/// Draws values of deviations for a simulated machine: normal, with `share` of their usual sizes as standard
 /// deviation.
 Eigen::VectorXd drawn_values(const std::vector<Deviation>& deviations, double share, std::uint64_t seed);
 
-/// A machine that is off in all that tips at `poses` can tell.
+/// Simulated machine that deviates in all parameters that TCPs at `poses` can determine.
 struct HiddenMachine {
     Geometry geometry;
     std::vector<Deviation> deviations;

@@ -13,7 +13,7 @@ constexpr double kNearlySquare = 0.01;  // cosine of the angle
 
 using Directions = std::vector<Eigen::Vector3d>;
 
-/// Which way each axis takes the tool against the work.
+/// Returns the direction in which each axis moves the tool relative to the work.
 Directions directions_of(machine::Machine machine) {
     machine.inverse = machine::InverseKind::none;
     const auto made = machine::make_kinematics(machine);

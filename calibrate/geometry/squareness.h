@@ -6,9 +6,9 @@
 
 namespace gsim::calibrate {
 
-/// How far two slides are from square to each other, where the file has them so: um of the one's way along
-/// the other's for each m; above 0 where they go less than 90 degrees apart. As the tool goes against the
-/// work, with all joints at zero.
+/// Deviation of two slides from square, if they are square in the file: um of one slide's travel along the
+/// other for each m. It is above 0 if they are less than 90 degrees apart. It is for the motion of the tool
+/// relative to the work, with all joints at zero.
 struct Squareness {
     char first = 'X';
     char second = 'Y';
@@ -16,7 +16,7 @@ struct Squareness {
     double spread_um_m = 0;  ///< One standard deviation.
 };
 
-/// Of each pair of slides. `nominal` is the machine that was fitted.
+/// Returns the squareness of each pair of slides. `nominal` is the machine that was fitted.
 std::vector<Squareness> squareness_of(const machine::Machine& nominal, const GeometryFit& fit);
 
 }  // namespace gsim::calibrate

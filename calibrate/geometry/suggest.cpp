@@ -35,7 +35,8 @@ double within(double share) {
     return kMargin + (1 - 2 * kMargin) * share;
 }
 
-/// Half of them spread over the ranges, half at ends and middles, where most is to be seen.
+/// Returns candidates: half of them spread over the ranges, half at ends and middles, which show the largest
+/// effects.
 std::vector<MeasuredTip> candidates_of(const machine::Machine& machine, std::size_t count, bool orientation) {
     std::vector<MeasuredTip> list = spread_poses(machine, 1, count / 2, orientation);
     const machine::JointBox box = machine::joint_box(machine);
@@ -50,7 +51,7 @@ std::vector<MeasuredTip> candidates_of(const machine::Machine& machine, std::siz
     return list;
 }
 
-/// A choice of candidates by the determinant of what they tell together.
+/// Selection of candidates by the determinant of their combined information.
 class Design {
   public:
     /// `slopes`: `rows` for each candidate. Before any is chosen, deviations are of their usual size.
@@ -76,7 +77,7 @@ class Design {
         spread_.noalias() += to * inner.llt().solve(to.transpose());
         taken_[candidate] = false;
     }
-    /// The candidate that is not taken and raises the determinant most.
+    /// Returns the unused candidate that raises the determinant most.
     std::size_t best() const {
         std::size_t best = 0;
         double most = -1;
@@ -106,7 +107,7 @@ class Design {
 
     const Eigen::MatrixXd& slopes_;
     Eigen::Index rows_;
-    Eigen::MatrixXd spread_;  ///< The inverse of what the chosen ones tell.
+    Eigen::MatrixXd spread_;  ///< Inverse of the chosen ones' information.
     std::vector<bool> taken_;
 };
 

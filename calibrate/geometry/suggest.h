@@ -10,19 +10,19 @@
 
 namespace gsim::calibrate {
 
-/// As many poses within the ranges of the axes (joint_box(), a little in from its ends) as tell most of a
-/// machine's deviations: D-optimal, by adding the best of some hundred candidates one by one and then
-/// exchanging them (Fedorov 1972). Tips are those of the file. Collisions are not looked at. The error: there
-/// are too few to tell of all that any poses would.
+/// Returns so many poses within the ranges of the axes (joint_box(), a little in from its ends) that
+/// determine most of a machine's deviations. The method is D-optimal: the best of some hundred candidates are
+/// added one by one and then exchanged (Fedorov 1972). TCPs are those of the file. Collisions are not
+/// checked. The error: too few to determine everything that any poses would.
 tl::expected<std::vector<MeasuredTip>, std::string> suggest_poses(const machine::Machine& machine,
                                                                   std::size_t count, bool orientation,
                                                                   const DeviationChoice& choice);
 
-/// A part program (G-code of most controls) that goes to each pose by rapids in machine coordinates and waits
-/// there for a measurement.
+/// Returns a part program (G-code of most controllers) that moves to each pose by rapids in machine
+/// coordinates and waits there for a measurement.
 std::string pose_program(const std::vector<MeasuredTip>& poses, const machine::Machine& machine);
 
-/// Poses spread evenly over the same ranges: `first` tells them from others.
+/// Returns poses spread evenly over the same ranges: `first` distinguishes them from others.
 std::vector<MeasuredTip> spread_poses(const machine::Machine& machine, int first, std::size_t count,
                                       bool orientation);
 

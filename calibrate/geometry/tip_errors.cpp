@@ -10,7 +10,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-/// Steps of differences: small enough for what bends, great enough for rounding.
+/// Returns the step of differences: small enough for curvature, large enough for rounding.
 double step_of(const Deviation& deviation) {
     return 0.02 * usual_size(deviation);
 }
@@ -21,7 +21,7 @@ TipError error_of(const TipFinder& finder, const MeasuredTip& measured) {
     if (!measured.has_orientation) return error;
     const Eigen::Quaterniond turn(tip.linear() * measured.tip.linear().transpose());
     const double half_sine = turn.vec().norm();
-    // 2 atan2(s, c) / s, which is 2 / c where s is next to nothing
+    // 2 atan2(s, c) / s, which is 2 / c if s is almost 0
     const double per_vector =
         half_sine > 1e-12 ? 2 * std::atan2(half_sine, std::abs(turn.w())) / half_sine : 2.0;
     error.deg = (turn.w() < 0 ? -per_vector : per_vector) * turn.vec() / kRadPerDeg;

@@ -12,29 +12,29 @@ namespace gsim::calibrate {
 inline constexpr double kMicrometresPerMm = 1000;
 inline constexpr double kArcsecPerDeg = 3600;
 
-/// How sure measurements are, as standard deviations: of each coordinate, and of the turn about each axis.
+/// Noise of measurements, as standard deviations: of each coordinate, and of the rotation about each axis.
 struct Noise {
     double mm = 0.01;
     double deg = 0.003;
 };
 
-/// What lies between a measured tip and that of a geometry, in directions of the frame of measurement.
+/// Difference between a measured TCP and that of a geometry, in directions of the frame of measurement.
 struct TipError {
     Eigen::Vector3d mm = Eigen::Vector3d::Zero();
-    Eigen::Vector3d deg = Eigen::Vector3d::Zero();  ///< As a rotation vector; 0 where none was measured.
+    Eigen::Vector3d deg = Eigen::Vector3d::Zero();  ///< As a rotation vector; 0 if none was measured.
 };
 
 std::vector<TipError> tip_errors(const Geometry& geometry, std::span<const MeasuredTip> tips);
 
-/// Root mean square and greatest value of the errors' lengths.
+/// Root mean square and maximum of the errors' lengths.
 struct TipSummary {
     double rms_um = 0, greatest_um = 0;
     double rms_arcsec = 0, greatest_arcsec = 0;
 };
 TipSummary summary_of(std::span<const TipError> errors);
 
-/// Errors of tips as one vector in units of their noise: 3 numbers for each tip, 6 for one with orientation.
-/// What a line of the list says of its noise counts before `noise`.
+/// Errors of TCPs as one vector in units of their noise: 3 numbers for each TCP, 6 for one with orientation.
+/// Noise in a line of the list has priority over `noise`.
 class WeightedErrors {
   public:
     WeightedErrors(const DeviatedMachine& machine, std::span<const Deviation> deviations,
@@ -46,7 +46,7 @@ class WeightedErrors {
     Eigen::Index size(Eigen::Index tip) const { return first(tip + 1) - first(tip); }
 
     Eigen::VectorXd at(const Eigen::VectorXd& values) const;
-    /// Their derivatives by the values: central differences, which are good to 1e-7 of them.
+    /// Returns the derivatives of the errors by the values: central differences, accurate to 1e-7 of them.
     Eigen::MatrixXd slopes(const Eigen::VectorXd& values) const;
 
   private:

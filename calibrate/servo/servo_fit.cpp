@@ -20,7 +20,7 @@ using machine::Servo;
 
 constexpr double kLeastGain_1_s = 1, kMostGain_1_s = 1e5;
 constexpr double kLeastError = 1e-7;  // mm or deg, root mean square
-constexpr double kFinest = 2e-5;      // mm or deg, root mean square: no encoder, and no clock, tells more
+constexpr double kFinest = 2e-5;      // mm or deg, root mean square: limit of any encoder and any clock
 constexpr double kWorthAFigure = 10;  // of the criterion: strong evidence (Kass, Raftery, 1995)
 constexpr int kMaxServoSteps = 60;
 
@@ -30,7 +30,7 @@ struct Key {
     double first, least, most;
     double step;  ///< For derivatives.
 };
-/// The gain is the first one, and always there.
+/// The gain is the first one, and always present.
 const std::array kKeys{
     Key{"position_gain_1_s", &Servo::position_gain_1_s, 30, kLeastGain_1_s, kMostGain_1_s, 1e-4},
     Key{"velocity_lag_s", &Servo::velocity_lag_s, 0.002, 1e-5, 1, 1e-7},
@@ -38,12 +38,12 @@ const std::array kKeys{
     Key{"command_delay_s", &Servo::command_delay_s, 0.001, 0, 1, 1e-7},
     Key{"acceleration_feed_forward", &Servo::acceleration_feed_forward, 0.5, 0, 1, 1e-6}};
 
-/// Set points at an instant, straight between samples.
+/// Set points at an instant, linear between samples.
 class SetPoints {
   public:
     explicit SetPoints(const AxisRecord& record) : record_(record) {}
 
-    /// Instants are asked for in order.
+    /// Instants must be requested in ascending order.
     double at(double t_s) {
         const auto& t = record_.t_s;
         if (t_s <= t.front()) return record_.set_points.front();
@@ -71,7 +71,7 @@ std::vector<double> errors_of(const AxisRecord& record) {
     return errors;
 }
 
-/// v = gain e, in the mean of squares.
+/// Computes v = gain e, in the mean of squares.
 double first_gain_1_s(const AxisRecord& record) {
     double squares = 0, products = 0;
     for (std::size_t i = 1; i < record.t_s.size(); ++i) {
@@ -84,10 +84,10 @@ double first_gain_1_s(const AxisRecord& record) {
     return gain > 0 ? std::clamp(gain, kLeastGain_1_s, kMostGain_1_s) : kKeys.front().first;
 }
 
-/// What is fitted: some of the keys.
+/// Model to fit: some of the keys.
 struct Model {
     Servo servo;
-    std::vector<std::size_t> open;  // places of keys
+    std::vector<std::size_t> open;  // indices of keys
 };
 
 struct Solved {
@@ -95,7 +95,7 @@ struct Solved {
     double squares = 0;  // of what is left
 };
 
-/// Places less recorded ones, by the open figures.
+/// Positions minus recorded ones, by the open parameters.
 class Residuals final : public ceres::CostFunction {
   public:
     Residuals(const AxisRecord& record, const Model& model) : record_(record), model_(model) {
@@ -167,13 +167,13 @@ Solved solve(const AxisRecord& record, Model model) {
     return {std::move(model), 2 * summary.final_cost};
 }
 
-/// Schwarz's, of a model whose errors are alike in all samples.
+/// Returns Schwarz's criterion for a model with equal errors in all samples.
 double criterion(const Solved& solved, double samples) {
     return samples * std::log(std::max(solved.squares / samples, kFinest * kFinest)) +
            static_cast<double>(solved.model.open.size()) * std::log(samples);
 }
 
-/// The best with one figure more; nothing where none is worth it.
+/// Returns the best model with one more parameter; empty if no parameter is worth it.
 std::optional<Solved> with_one_more(const Solved& solved, const AxisRecord& record) {
     const auto samples = static_cast<double>(record.t_s.size());
     std::optional<Solved> best;
@@ -190,7 +190,7 @@ std::optional<Solved> with_one_more(const Solved& solved, const AxisRecord& reco
     return best;
 }
 
-/// With all figures, from a gain and a feed-forward that make the recorded error together.
+/// Fits all parameters, starting with a gain and a feed-forward that together give the recorded error.
 Solved whole(const AxisRecord& record, double share) {
     Model model{{.position_gain_1_s = std::max((1 - share) * first_gain_1_s(record), kLeastGain_1_s),
                  .velocity_feed_forward = share},
@@ -203,8 +203,8 @@ Solved whole(const AxisRecord& record, double share) {
     return solve(record, std::move(model));
 }
 
-/// One figure can do much of what another one does, so that steps do not lead everywhere: fits of all figures
-/// are tried, too.
+/// Parameters can replace each other to a large extent, so that single steps may miss the optimum. Fits of
+/// all parameters are therefore tried, too.
 Solved best_of(const AxisRecord& record) {
     const auto samples = static_cast<double>(record.t_s.size());
     Solved best = solve(record, {{.position_gain_1_s = first_gain_1_s(record)}, {0}});

@@ -26,22 +26,22 @@ bool is_letter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where the numbers of an axis stand in a line.
+/// Columns of the numbers of an axis in a line.
 struct AxisColumns {
     char letter = 'X';
     std::size_t set_point = 0;
-    std::size_t other = 0;  ///< Its place, or its error.
+    std::size_t other = 0;  ///< Its position, or its error.
     bool is_error = false;
 };
 
-/// Takes samples, a line each.
+/// Collector of samples, a line each.
 class AxisSamples {
   public:
     explicit AxisSamples(std::vector<AxisColumns> columns) : columns_(std::move(columns)) {
         for (const AxisColumns& axis : columns_) records_.push_back({axis.letter, {}, {}, {}});
     }
 
-    /// False: a number is missing.
+    /// Adds a sample. False: a number is missing.
     bool add(double t_s, const Cells& cells) {
         std::vector<double> values;
         for (const AxisColumns& axis : columns_) {
@@ -71,7 +71,7 @@ class AxisSamples {
     std::vector<AxisRecord> records_;
 };
 
-/// Axes with both a set point and what became of it.
+/// Returns axes with both a set point and a position or error.
 std::vector<AxisColumns> named_columns(const Cells& heading) {
     std::vector<AxisColumns> found;
     for (std::size_t i = 0; i < heading.size(); ++i) {
@@ -114,7 +114,7 @@ Records read_named(std::string_view text) {
     return gathered->take();
 }
 
-/// Capital letters with their small ones.
+/// Pairs capital letters with the same small ones.
 std::vector<AxisColumns> lettered_columns(std::string_view columns) {
     std::vector<AxisColumns> found;
     for (std::size_t i = 0; i < columns.size(); ++i) {

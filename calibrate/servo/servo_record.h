@@ -8,7 +8,7 @@
 
 namespace gsim::calibrate {
 
-/// An axis over time: where it should be and where it was, mm or deg.
+/// Set and actual positions of an axis over time, mm or deg.
 struct AxisRecord {
     char letter = 'X';
     std::vector<double> t_s;  ///< Rising.
@@ -16,19 +16,19 @@ struct AxisRecord {
     std::vector<double> places;
 };
 
-/// How a recording is to be understood that is columns of numbers without names.
+/// Format of a recording that is columns of numbers without names.
 struct ServoForm {
     double period_s = 0;  ///< Between samples; 0: not known.
     std::string columns =
-        "Xx";  ///< A letter each: capital ones are set points, small ones places; '-' is left out.
+        "Xx";  ///< A letter each: capital ones are set points, small ones positions; '-' is skipped.
 };
 
-/// A recording of set points and places of axes, in one of these forms, which it shows by itself:
-/// - CSV under a line that names the columns: t_s, and of each axis its set point (x_mm, b_deg) with its
-/// place
-///   (x_at_mm) or its following error (x_error_mm), as gsim-run --trajectory --following writes it;
-/// - what LinuxCNC's halsampler prints: numbers in columns, with or without its -t.
-/// Samples whose time does not rise are left out. The error says which line lacks what.
+/// Reads a recording of set points and positions of axes, in one of these forms, which it detects:
+/// - CSV with a first line that names the columns: t_s, and for each axis its set point (x_mm, b_deg)
+///   with its position (x_at_mm) or its following error (x_error_mm), as gsim-run --trajectory
+///   --following writes it;
+/// - output of LinuxCNC's halsampler: numbers in columns, with or without its -t.
+/// Samples with a time that does not rise are left out. The error names the line and what it lacks.
 tl::expected<std::vector<AxisRecord>, std::string> read_servo_record(std::string_view text,
                                                                      const ServoForm& form);
 

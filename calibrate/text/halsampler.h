@@ -11,18 +11,19 @@
 
 namespace gsim::calibrate {
 
-/// The words of a line, with blanks between.
+/// Returns the words of a line, separated by blanks.
 Cells words_of(std::string_view line);
 
-/// Whether a first line is one of those that LinuxCNC's halsampler prints: numbers alone.
+/// Returns true if a first line is output of LinuxCNC's halsampler: numbers alone.
 bool is_halsampler(std::string_view line);
 
-/// Takes a sample: the number of its line, its time in s and its columns. The error says what is wrong.
+/// Function that receives a sample: the number of its line, its time in s and its columns. The error
+/// describes the problem.
 using TakeSample = std::function<tl::expected<void, std::string>(int line, double t_s, const Cells& columns)>;
 
-/// Goes through what halsampler has printed, samples of `columns` numbers each, `period_s` apart, with or
-/// without its -t (the number of the sample in front). Where samples were lost ("overrun") these numbers tell
-/// how many. The error: of `take`, or that no period is known.
+/// Reads the output of halsampler, samples of `columns` numbers each, `period_s` apart, with or without its
+/// -t (the number of the sample in front). If samples were lost ("overrun") these numbers show how many. The
+/// error: of `take`, or an unknown period.
 tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
                                                 const TakeSample& take);
 

@@ -12,7 +12,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-// No tab: where tabs are between, one at the beginning is an empty cell.
+// A tab is not included: if tabs are separators, one at the beginning is an empty cell.
 constexpr std::string_view kCellBlanks = " \"\r";
 
 }  // namespace

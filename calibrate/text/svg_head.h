@@ -4,8 +4,8 @@
 
 namespace gsim::calibrate {
 
-/// The beginning of a picture (SVG) of this size, in pixels, up to its white ground: small words in a sans
-/// serif. "</svg>" ends it.
+/// Returns the beginning of a picture (SVG) of this size, in pixels, up to its white background: small text
+/// in a sans serif. "</svg>" ends it.
 std::string svg_head(double width, double height);
 
 }  // namespace gsim::calibrate

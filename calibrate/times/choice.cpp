@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::size_t kTried = 3;             // of all candidates, by cross-validation
 constexpr double kNear = 1.25;                // of the best fit's error: what comes so near is tried, too
-constexpr std::size_t kRefined = 4;           // times at most
+constexpr std::size_t kRefined = 4;           // max iterations
 constexpr double kWorthTrying = 0.95;         // of the fit's error: what lessens it by less is not tried
 constexpr int kMaxChoiceSteps = 12;           // of a fit; what is chosen is fitted to its end
 constexpr int kStepsOfPart = 3;               // from what was fitted to all runs
 constexpr double kErrorsOfKind = 1;           // standard errors
 constexpr double kErrorsOfRefinement = 2;     // of which there are many, so that one may seem to help
-constexpr double kPlainGain_percent = 0.1;    // where it is so much, too
+constexpr double kPlainGain_percent = 0.1;    // required in addition
 constexpr double kPlainGain = 0.1;            // of the mean error
 constexpr double kGoodEnough_percent = 0.3;   // in the mean: then the second best is not refined
 constexpr double kNearEnough_percent = 0.02;  // in the mean: less is not looked for
 
-/// Places of the runs in a part of several, or of those outside it.
+/// Returns the indices of the runs in one of several parts, or of those outside it.
 std::vector<std::size_t> places_of(std::size_t runs, std::size_t parts, std::size_t part, bool inside) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < runs; ++i) {
@@ -38,21 +38,21 @@ double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// A candidate that has been tried.
+/// Candidate that has been tried.
 struct Tried {
     Candidate candidate;  ///< As fitted to all runs.
     std::size_t score = 0;
-    std::vector<double> errors_percent;  ///< Of each run, foretold by a fit to others.
+    std::vector<double> errors_percent;  ///< For each run, predicted by a fit to others.
 };
 
-/// Tries candidates on runs, and keeps how they fare.
+/// Trial of candidates on runs, with their results.
 class Trial {
   public:
     Trial(std::span<const RecordedRun> runs, const Predictor& predictor, std::size_t parts,
           const std::function<void(const std::string&)>& told)
         : runs_(runs), predictor_(predictor), parts_(parts), told_(told) {}
 
-    /// Fits to all runs; nothing where that cannot be done.
+    /// Fits a candidate to all runs; empty if that is impossible.
     std::optional<Tried> fit(const Candidate& candidate) {
         scores_.push_back({candidate.name});
         Score& score = scores_.back();
@@ -69,7 +69,7 @@ class Trial {
         return Tried{{candidate.name, fit->machine, candidate.open}, scores_.size() - 1, {}};
     }
 
-    /// Whether all parts could be foretold.
+    /// Returns true if all parts could be predicted.
     bool cross_validate(Tried& tried) {
         Score& score = scores_[tried.score];
         tried.errors_percent.assign(runs_.size(), 0);
@@ -88,7 +88,7 @@ class Trial {
     }
 
     double fitted_percent(const Tried& tried) const { return scores_[tried.score].fitted_percent; }
-    /// Keys of [times].
+    /// Returns keys of [times].
     std::vector<std::string> words() const { return predictor_.words(); }
     std::vector<Score> take_scores() { return std::move(scores_); }
     const std::vector<Score>& scores() const { return scores_; }
@@ -125,7 +125,7 @@ class Trial {
     std::vector<Score> scores_;
 };
 
-/// Whether `other` foretells better: by a tenth, or by so many standard errors of the differences.
+/// Returns true if `other` predicts better: by a tenth, or by so many standard errors of the differences.
 bool is_better(const Tried& other, const Tried& than, double standard_errors) {
     std::vector<double> gains;
     for (std::size_t i = 0; i < other.errors_percent.size(); ++i)
@@ -138,15 +138,15 @@ bool is_better(const Tried& other, const Tried& than, double standard_errors) {
     return mean > standard_errors * std::sqrt(squares / (count * (count - 1)));
 }
 
-/// The nearest to the runs first.
+/// Sorts by the distance to the runs, the smallest first.
 void sort_by_fit(std::vector<Tried>& tried, const Trial& trial) {
     std::stable_sort(tried.begin(), tried.end(), [&](const Tried& a, const Tried& b) {
         return trial.fitted_percent(a) < trial.fitted_percent(b);
     });
 }
 
-/// Those of the candidates that could be cross-validated: the one to take first, then the others by how well
-/// they foretell.
+/// Returns the candidates that could be cross-validated: the preferred one first, then the others by the
+/// quality of their predictions.
 std::vector<Tried> tried_candidates(std::span<const Candidate> candidates, Trial& trial) {
     std::vector<Tried> fitted;
     for (const Candidate& candidate : candidates) {
@@ -174,7 +174,7 @@ std::vector<Tried> tried_candidates(std::span<const Candidate> candidates, Trial
     return fitted;
 }
 
-/// The same with one thing more to it that makes it foretell better; nothing where none does.
+/// Returns the model with the one addition that makes it predict better; empty if none does.
 std::optional<Tried> refined(const Tried& tried, Trial& trial) {
     std::vector<Tried> fitted;
     const double worth_percent = kWorthTrying * trial.fitted_percent(tried);
@@ -190,7 +190,7 @@ std::optional<Tried> refined(const Tried& tried, Trial& trial) {
     return std::nullopt;
 }
 
-/// With all that makes it foretell better.
+/// Adds refinements as long as they make it predict better.
 Tried refined_to_its_end(Tried tried, Trial& trial) {
     for (std::size_t i = 0; i < kRefined && trial.fitted_percent(tried) > kNearEnough_percent; ++i) {
         auto better = refined(tried, trial);
@@ -212,7 +212,7 @@ tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candid
         return tl::unexpected(candidates.empty() ? std::string("there is no model to choose from")
                                                  : trial.scores().front().refused);
     Tried best = refined_to_its_end(std::move(tried.front()), trial);
-    // What is best in the beginning need not be so in the end.
+    // The best candidate before refinement need not be the best after it.
     if (tried.size() > 1 && mean_of(best.errors_percent) > kGoodEnough_percent) {
         Tried other = refined_to_its_end(std::move(tried[1]), trial);
         if (is_better(other, best, kErrorsOfKind)) best = std::move(other);

@@ -14,7 +14,7 @@ constexpr double kLeastApart_s = 0.2;
 
 using simulation::MotionLog;
 
-/// Where X, Y and Z are at the end of a move, mm; nothing where the log does not tell.
+/// Returns the position of X, Y and Z at the end of a move, mm; empty if the log does not contain it.
 std::optional<Eigen::Vector3d> place_of(const simulation::MotionAsk& ask, const machine::Machine& machine) {
     const auto* move = std::get_if<motion::Move>(&ask);
     if (move == nullptr || move->goal.pose || move->tip_mm) return std::nullopt;

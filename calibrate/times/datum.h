@@ -12,28 +12,28 @@
 
 namespace gsim::calibrate {
 
-/// A time that was recorded: from the end of one move of a run to the end of another one. The first one of a
-/// run counts from where it begins to move or dwell, the last one to its end.
+/// Recorded time from the end of one move of a run to the end of another one. The first one of a run starts
+/// with its first motion or dwell, the last one ends with the run.
 struct Datum {
     static constexpr std::size_t kOutside = static_cast<std::size_t>(-1);
 
-    std::size_t run = 0;          ///< Place of its run among several.
-    std::size_t from = kOutside;  ///< Place of the move in the log.
+    std::size_t run = 0;          ///< Index of its run among several.
+    std::size_t from = kOutside;  ///< Index of the move in the log.
     std::size_t to = kOutside;
     double time_s = 0;
-    double clock_s = 0;  ///< What the recording's clock may be off by.
+    double clock_s = 0;  ///< Possible error of the recording's clock.
 };
 
-/// What a run tells: where it has positions over time the times between ends of moves that it passes, some
-/// samples apart; else its whole time. `log`: what it asks for on `machine`.
+/// Returns the data of a run. If it has positions over time, these are the times between ends of moves that
+/// it passes, some samples apart; else its total time. `log`: its requests on `machine`.
 std::vector<Datum> data_of(const RecordedRun& run, const simulation::MotionLog& log,
                            const machine::Machine& machine);
 
-/// When a run that was replayed begins to move or dwell, and when it ends: what words take before and behind
-/// does not count. Nothing where nothing moves.
+/// Returns when a replayed run begins to move or dwell, and when it ends: times of words before and after do
+/// not count. Empty if no axis moves.
 std::optional<Span> span_of(std::span<const simulation::ReplayedMove> moves);
 
-/// The same time of a run that was replayed, s; 0 where it has no such moves.
+/// Returns the same time for a replayed run, s; 0 if it has no such moves.
 double time_of(const Datum& datum, const simulation::MotionLog& log,
                std::span<const simulation::ReplayedMove> moves);
 

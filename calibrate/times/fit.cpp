@@ -20,10 +20,10 @@ constexpr double kRobustFrom = 2;  // of these
 constexpr double kStep = 0.01;     // of a logarithm, for derivatives
 constexpr double kPrior = 0.02;  // percent for a factor e off what the machine had: what runs say counts more
 constexpr double kMostSpread = 0.5;   // of a logarithm
-constexpr double kUnknown = 1;        // the same of a figure that runs tell nothing of: a factor e
+constexpr double kUnknown = 1;        // the same for a parameter without information from runs: a factor e
 constexpr double kLeastNoise = 2e-4;  // of times: no clock and no model is better
 
-/// Logarithms of all times for logarithms of parameters, and how they change with these.
+/// Logarithms of all times for logarithms of parameters, with their derivatives.
 class Times : public ceres::EvaluationCallback {
   public:
     Times(const machine::Machine& machine, const std::vector<Parameter>& parameters,
@@ -34,7 +34,7 @@ class Times : public ceres::EvaluationCallback {
           predictor_(predictor),
           logs(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()))) {}
 
-    /// Plans at `logs` for the first time; the error names the program that does not come to its end.
+    /// Plans at `logs` for the first time; the error names the program that does not reach its end.
     tl::expected<void, std::string> begin() {
         const auto times_s = predictor_.times_s(data_, machine_at(logs));
         if (!times_s) return tl::unexpected(times_s.error());
@@ -53,7 +53,7 @@ class Times : public ceres::EvaluationCallback {
         return with_values(machine_, parameters_, values);
     }
 
-    /// Runs that do not come to their ends with these values take a time that nobody would choose.
+    /// Returns an extremely long time for runs that do not reach their ends with these values.
     Eigen::VectorXd at(const Eigen::VectorXd& point) const {
         constexpr double kNever_s = 1e9;
         const auto times_s = predictor_.times_s(data_, machine_at(point));
@@ -94,17 +94,17 @@ class Times : public ceres::EvaluationCallback {
     Eigen::VectorXd planned_at_;  // to which log_times and slopes belong
 
   public:
-    Eigen::VectorXd logs;  ///< Where Ceres stands.
+    Eigen::VectorXd logs;  ///< Current point of Ceres.
     Eigen::VectorXd log_times;
     Eigen::MatrixXd slopes;
 };
 
-/// What counts as one percent of a time: more of one that is short for its clock.
+/// Returns the unit of one percent of a time: larger for a time that is short relative to its clock error.
 double unit_of(const Datum& datum) {
     return std::hypot(kUnit, datum.clock_s / datum.time_s);
 }
 
-/// How far one time is off, in percent.
+/// Error of one time, in percent.
 class OneTime : public ceres::CostFunction {
   public:
     OneTime(const Times& times, Eigen::Index place, const Datum& datum)
@@ -127,7 +127,7 @@ class OneTime : public ceres::CostFunction {
     double unit_;
 };
 
-/// How far parameters are from what the machine had.
+/// Distance of parameters from the machine's original values.
 class Prior : public ceres::CostFunction {
   public:
     explicit Prior(Eigen::VectorXd before) : before_(std::move(before)) {
@@ -149,7 +149,7 @@ class Prior : public ceres::CostFunction {
     Eigen::VectorXd before_;
 };
 
-/// The cost that is left.
+/// Solves, and returns the remaining cost.
 double solve(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
              int most_steps, const std::function<void(const std::string&)>& told) {
     ceres::Problem::Options options;
@@ -176,20 +176,20 @@ double solve(Times& times, const std::vector<Datum>& data, const std::vector<Par
     return summary.final_cost;
 }
 
-/// Where a fit has ended.
+/// End point of a fit.
 struct End {
     Eigen::VectorXd logs;
     double cost = 0;
 };
 
-/// Whether times grow with it in proportion.
+/// Returns true if times grow in proportion to the parameter.
 bool is_wait(const Parameter& parameter) {
     return parameter.figure.of == "times" || parameter.figure.key == "rest_s" ||
            parameter.figure.key == "settle_s";
 }
 
-/// Where words take time they and the other waits begin where the times that are missing tell, as all else is
-/// now.
+/// Estimates start values of words' times and the other waits from the missing times, with all other
+/// parameters as they are, if words take time.
 void begin_waits(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters) {
     const bool any = std::any_of(parameters.begin(), parameters.end(),
                                  [](const Parameter& each) { return each.figure.of == "times"; });
@@ -218,9 +218,8 @@ void begin_waits(Times& times, const std::vector<Datum>& data, const std::vector
     }
 }
 
-/// Much of a share for the way round a curve leaves little for its ramps, and the other way round: both may
-/// explain a curve's time, and a fit comes to the one that is nearer. So it begins at several. The best end
-/// first.
+/// A high share for speed in curves leaves little for their ramps, and vice versa. Both may explain a curve's
+/// time, and a fit finds the nearer solution, so it begins at several. Returns the best end first.
 std::vector<End> solve_from_all(Times& times, const std::vector<Datum>& data,
                                 const std::vector<Parameter>& parameters, const FitOptions& options,
                                 const std::function<void(const std::string&)>& told) {
@@ -244,13 +243,14 @@ std::vector<End> solve_from_all(Times& times, const std::vector<Datum>& data,
     return ends;
 }
 
-/// With as many figures to choose, the standard deviation of what is left.
+/// Returns the standard deviation of the residuals with so many free parameters.
 double deviation(double squares, std::size_t count, std::size_t figures) {
     return std::sqrt(squares /
                      std::max<double>(static_cast<double>(count) - static_cast<double>(figures), 1));
 }
 
-/// What other ends that explain the times as well (within two standard deviations) add to the spread.
+/// Returns the additional spread from other ends that explain the times as well (within two standard
+/// deviations).
 Eigen::MatrixXd between_ends(const std::vector<End>& ends, std::size_t times) {
     const Eigen::VectorXd& best = ends.front().logs;
     const double freedom = std::max(static_cast<double>(times) - static_cast<double>(best.size()), 1.0);
@@ -262,8 +262,8 @@ Eigen::MatrixXd between_ends(const std::vector<End>& ends, std::size_t times) {
     return farthest * farthest.transpose();
 }
 
-/// Which parameters the runs tell of, and how well: what is left of the errors is the noise of the times, and
-/// nobody knows more of a figure before than its magnitude.
+/// Judges which parameters the runs determine, and how well. The residuals are the noise of the times, and
+/// without runs only the magnitude of a parameter is known.
 void judge(const Times& times, const std::vector<Datum>& data, const std::vector<End>& ends, Fit& fit) {
     const Eigen::Index count = times.logs.size();
     Eigen::MatrixXd slopes = times.slopes;
@@ -288,7 +288,7 @@ void judge(const Times& times, const std::vector<Datum>& data, const std::vector
     }
 }
 
-/// What is left of the times of whole runs.
+/// Returns the residuals of the times of complete runs.
 double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
     double squares = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -298,7 +298,7 @@ double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
     return deviation(squares, runs.size(), fit.parameters.size());
 }
 
-/// What is open; of words those alone that programs have.
+/// Returns open parameters; for words only those that programs contain.
 std::vector<Parameter> parameters_of(const machine::Machine& machine, const OpenFigures& open,
                                      const std::vector<std::string>& words) {
     std::vector<Parameter> parameters = open_parameters(machine, open);

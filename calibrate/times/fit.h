@@ -13,7 +13,7 @@
 
 namespace gsim::calibrate {
 
-/// What a fit has found of a parameter.
+/// Result of a fit for a parameter.
 struct FittedParameter {
     machine::Figure figure;
     double value = 0;
@@ -25,10 +25,10 @@ struct FittedParameter {
 struct Fit {
     machine::Machine machine;
     std::vector<FittedParameter> parameters;
-    Eigen::MatrixXd covariance;   ///< Of the parameters' logarithms. What runs tell nothing of is known to a
-                                  ///< factor e before (one standard deviation).
-    std::vector<double> times_s;  ///< Of the runs, on `machine`.
-    double noise = 0;  ///< What is left of whole runs, as a standard deviation of the times' logarithms.
+    Eigen::MatrixXd covariance;   ///< For the parameters' logarithms. A parameter that runs do not determine
+                                  ///< is known to a factor e (one standard deviation).
+    std::vector<double> times_s;  ///< For the runs, on `machine`.
+    double noise = 0;  ///< Residual of complete runs, as a standard deviation of the times' logarithms.
 };
 
 struct FitOptions {
@@ -38,10 +38,10 @@ struct FitOptions {
 };
 
 /// Fits the open parameters of `machine` to the times of `runs`: least squares of the logarithms of times,
-/// robust where a run is off by more than 2 % (Huber), within the parameters' bounds (Ceres,
-/// Levenberg-Marquardt). What the runs tell nothing of stays near to what it was. Derivatives are differences
-/// over 1 % of each parameter. `told` gets a word on each step. The error names a program that does not come
-/// to its end, or says that there are too few runs.
+/// robust if a run is off by more than 2 % (Huber), within the parameters' bounds (Ceres,
+/// Levenberg-Marquardt). Parameters that the runs do not determine stay near their values. Derivatives are
+/// differences over 1 % of each parameter. `told` receives a message on each step. The error names a program
+/// that does not reach its end, or reports too few runs.
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                                          const Predictor& predictor, const FitOptions& options,
                                          const std::function<void(const std::string&)>& told = {});

@@ -20,14 +20,14 @@ using rrs::ControllerRules;
 using rrs::CornerRule;
 using rrs::PlannerKind;
 
-/// Where a machine has no jerk limit: its acceleration in 50 ms.
+/// Default for a machine without a jerk limit: its acceleration in 50 ms.
 constexpr double kJerkOfAcceleration_1_s = 20;
 constexpr double kFirstPart = 0.75;     // of the acceleration
-constexpr double kFirstBlock_s = 0.02;  // more than it may be: what limits nothing is not found
+constexpr double kFirstBlock_s = 0.02;  // above the expected value: a limit without effect is not found
 constexpr double kFirstWord_s = 0.5;
 constexpr std::size_t kFarAhead = 1000;  // blocks
 
-/// Corners, by the name of their rule.
+/// Corners with the name of their rule.
 struct Corners {
     const char* name;
     CornerRule rule;
@@ -38,7 +38,7 @@ constexpr Corners kCorners[] = {{"velocity-step", CornerRule::velocity_step},
                                 {"parabolic-blend", CornerRule::parabolic_blend},
                                 {"smooth-blend", CornerRule::smooth_blend}};
 
-/// The rules of a generic control; what a machine file says of words and offsets stays.
+/// Returns the rules of a generic controller; settings of a machine file for words and offsets stay.
 ControllerRules rules_of(const ControllerRules& machines, const Corners& corners) {
     ControllerRules rules = machines;
     rules.model = "exact-stop";
@@ -52,9 +52,9 @@ ControllerRules rules_of(const ControllerRules& machines, const Corners& corners
     return rules;
 }
 
-/// A control that overlays the end of a move with the beginning of the next one: each with a part of the
-/// acceleration, lines alone, and exactly by stops. What belongs together would not be found one thing at a
-/// time.
+/// Returns the rules of a controller that overlays the end of a move with the beginning of the next one: each
+/// with a part of the acceleration, lines alone, and exactly by stops. These belong together, so refining one
+/// at a time would not find them.
 ControllerRules overlaying(const ControllerRules& machines) {
     ControllerRules rules = rules_of(machines, {"", CornerRule::parabolic_blend});
     rules.exact_path_corner = CornerRule::stop;
@@ -80,7 +80,7 @@ double greatest_acceleration_mm_s2(const Machine& machine) {
     return most;
 }
 
-/// Gathers what a candidate may be refined by.
+/// Collector of possible refinements of a candidate.
 class Refiner {
   public:
     explicit Refiner(const Candidate& from) : from_(from) {}

@@ -9,21 +9,21 @@
 
 namespace gsim::calibrate {
 
-/// A way of planning that a machine may be fitted with.
+/// Planning method for the fit of a machine.
 struct Candidate {
     std::string name;  ///< "velocity-step, straight ramps"
     machine::Machine machine;
     OpenFigures open = {};
 };
 
-/// The machine with each generic way of planning: from rest to rest, corners by a step of speed, by junction
-/// deviation or rounded within a tolerance (by a constant acceleration, or by one that grows and falls), or
-/// moves that overlay each other, each with straight ramps and with limited jerk. None is a model of a
-/// control that somebody has looked into.
+/// Returns the machine with each generic planning method: from standstill to standstill, corners by a step of
+/// speed, by junction deviation or rounded within a tolerance, or overlaid moves. Rounding has a constant
+/// acceleration, or one that rises and falls. Each method comes with straight ramps and with limited jerk. No
+/// method is a model of an analysed controller.
 std::vector<Candidate> generic_candidates(const machine::Machine& machine, const OpenFigures& open);
 
-/// What a candidate may be refined by, one thing each; nothing that it has already. `words`: keys of [times]
-/// that programs have words for.
+/// Returns possible refinements of a candidate, one change each, except those it already has. `words`: keys
+/// of [times] for which programs have words.
 std::vector<Candidate> refinements(const Candidate& candidate, std::span<const std::string> words);
 
 }  // namespace gsim::calibrate

@@ -26,13 +26,13 @@ std::optional<double> number_of(std::string_view text) {
     return number_in(text::trimmed(text, kRecordBlanks));
 }
 
-/// 0, 1, 2 of x, y, z; -1 of anything else.
+/// Returns 0, 1, 2 for x, y, z; -1 for other letters.
 int axis_of(char letter) {
     const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return lower >= 'x' && lower <= 'z' ? lower - 'x' : -1;
 }
 
-/// Gathers samples whose times rise.
+/// Collector of samples with rising times.
 class SampleList {
   public:
     void add(double t_s, const Eigen::Vector3d& at_mm) {
@@ -47,7 +47,7 @@ class SampleList {
     std::vector<MotionSample> samples_;
 };
 
-/// Calls `look` with the number of each line that is not empty, and the line; stops where it says no.
+/// Calls `look` with the number of each line that is not empty, and the line; stops if it returns false.
 template <typename Look>
 bool for_each_line(std::string_view text, const Look& look) {
     for (int number = 1; !text.empty(); ++number) {
@@ -59,7 +59,7 @@ bool for_each_line(std::string_view text, const Look& look) {
     return true;
 }
 
-// CSV.
+// Format CSV.
 
 struct CsvColumns {
     std::size_t time = std::string_view::npos;
@@ -123,7 +123,7 @@ Samples read_csv(std::string_view text) {
     return gathered.take();
 }
 
-// halsampler.
+// Format halsampler.
 
 Samples read_columns(std::string_view text, const RecordForm& form) {
     SampleList gathered;
@@ -149,7 +149,7 @@ Samples read_columns(std::string_view text, const RecordForm& form) {
     return gathered.take();
 }
 
-// grbl.
+// Format grbl.
 
 std::optional<Eigen::Vector3d> grbl_field(std::string_view report, std::string_view name) {
     const std::size_t at = report.find(name);
@@ -190,9 +190,9 @@ Samples read_grbl(std::string_view text) {
     return gathered.take();
 }
 
-// MTConnect.
+// Format MTConnect.
 
-/// Of "Xact", "X_pos", "x": the axis; -1 of what is no position of x, y or z.
+/// Returns the axis for "Xact", "X_pos", "x"; -1 if the name is no position of x, y or z.
 int mtconnect_axis(std::string_view name) {
     if (name.empty()) return -1;
     std::string_view rest = name.substr(1);
@@ -203,7 +203,7 @@ int mtconnect_axis(std::string_view name) {
     return -1;
 }
 
-/// What changes one axis at a time becomes samples: the others are as they were told last.
+/// Converter of changes of one axis at a time to samples: the other axes keep their last value.
 class Changes {
   public:
     void add(double t_s, int axis, double value_mm) { changes_[t_s].emplace_back(axis, value_mm); }

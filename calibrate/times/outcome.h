@@ -9,24 +9,24 @@
 
 namespace gsim::calibrate {
 
-/// What the fit says of how sure its figures are, for the machine file.
+/// Returns the uncertainty of the fit's parameters, for the machine file.
 machine::Calibration calibration_of(const Fit& fit);
 
-/// The machine file of a fit, with what was found above it as comments.
+/// Returns the machine file of a fit, with the results at its top as comments.
 std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs);
 
-/// For people: values with their spread, what was not to be found, and each run with its time and error, the
-/// worst first.
+/// Returns a table for people: values with their spread, undetermined parameters, and each run with its time
+/// and error, the worst first.
 std::string fit_table(const Fit& fit, std::span<const RecordedRun> runs);
 
-/// The same as JSON, with the covariance of the logarithms.
+/// Returns the same as JSON, with the covariance of the logarithms.
 std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs, const std::optional<Choice>& choice);
 
-/// A picture (SVG) of the errors, one bar a run, in percent.
+/// Returns a picture (SVG) of the errors, one bar a run, in percent.
 std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs);
 
-/// A short part program (G-code of any control) that depends on what these runs tell nothing of; empty where
-/// they tell of all.
+/// Returns a short part program (G-code of any controller) that depends on the parameters that these runs do
+/// not determine; empty if they determine all.
 std::string test_program(const Fit& fit);
 
 }  // namespace gsim::calibrate

@@ -25,12 +25,12 @@ constexpr double kLeastWait_s = 1e-5;
 constexpr double kLongestWait_s = 1;
 constexpr double kLongestWord_s = 600;
 
-/// Gathers what is open.
+/// Collector of open parameters.
 class Parameters {
   public:
     explicit Parameters(const Machine& machine) : machine_(machine) {}
 
-    /// Within a factor of what the machine has, where it has something.
+    /// Adds a parameter within a factor of the machine's value, if it has one.
     void add_scaled(Figure figure) {
         const double now = value_of(figure);
         if (now > 0 && std::isfinite(now))
@@ -60,7 +60,7 @@ class Parameters {
     std::vector<Parameter> found_;
 };
 
-/// Letters of axes whose figure is one parameter.
+/// Returns letters of axes that share one parameter.
 std::vector<std::string> axes_together(const Machine& machine, double Axis::*figure, AxisKind kind,
                                        bool each_axis) {
     std::map<double, std::string> same;

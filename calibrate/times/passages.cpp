@@ -11,7 +11,7 @@ namespace {
 constexpr double kStands_mm = 0.01;
 constexpr double kNear_mm = 1;
 
-/// The nearest that the straight way between two samples comes to a place.
+/// Nearest approach of the straight line between two samples to a position.
 struct Nearest {
     double t_s = 0;
     double distance_mm = std::numeric_limits<double>::infinity();
@@ -40,7 +40,8 @@ std::optional<Span> motion_span(std::span<const MotionSample> samples) {
     return Span{std::prev(first)->t_s, std::prev(last)->t_s};
 }
 
-// From the passage before on, the first approach that is left again by more than it may be off.
+// The search starts at the previous passage. It takes the first approach that is left again by more than the
+// possible error.
 std::vector<std::optional<double>> passages_s(std::span<const MotionSample> samples,
                                               std::span<const Eigen::Vector3d> places_mm) {
     std::vector<std::optional<double>> found;

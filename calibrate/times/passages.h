@@ -9,16 +9,17 @@
 
 namespace gsim::calibrate {
 
-/// When a recorded motion began and ended, s by its clock: the samples between which it leaves its first
-/// place and comes to its last one. Nothing where it stays within 0.01 mm.
+/// Begin and end of a recorded motion, s by its clock: the samples between which it leaves its first position
+/// and reaches its last one. Empty if it stays within 0.01 mm.
 struct Span {
     double start_s = 0;
     double end_s = 0;
 };
 std::optional<Span> motion_span(std::span<const MotionSample> samples);
 
-/// When a recorded motion passed each of `places_mm` nearest, in their order; nothing for those that it does
-/// not come within 1 mm of behind the one before. Between two samples it goes straight, at one speed.
+/// Returns when a recorded motion was nearest to each of `places_mm`, in their order; empty for those that it
+/// does not approach within 1 mm after the previous one. Between two samples the motion is straight, at
+/// constant speed.
 std::vector<std::optional<double>> passages_s(std::span<const MotionSample> samples,
                                               std::span<const Eigen::Vector3d> places_mm);
 

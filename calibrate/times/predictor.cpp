@@ -64,7 +64,7 @@ tl::expected<double, std::string> whole_s(
     return span->end_s - span->start_s;
 }
 
-/// All words take some time, so that it is known where they are.
+/// Gives all words some time, so that their positions are known.
 machine::Machine with_all_times(machine::Machine machine) {
     machine.times.before_first_move = true;
     for (const std::string& key : machine::named_time_keys()) {
@@ -74,7 +74,7 @@ machine::Machine with_all_times(machine::Machine machine) {
     return machine;
 }
 
-/// The keys of rests between moves.
+/// Adds the keys of dwells between moves.
 void add_words(const simulation::MotionLog& log, std::set<std::string>& keys) {
     bool has_moved = false;
     std::vector<std::string> since;

@@ -32,7 +32,7 @@ bool take(std::string_view& text, char c) {
     return true;
 }
 
-/// Days since 1970.
+/// Returns the days since 1970.
 std::optional<double> take_date(std::string_view& text) {
     const auto year = take_digits(text, 4, 4);
     if (!year || !take(text, '-')) return std::nullopt;

@@ -13,12 +13,12 @@ namespace gsim::calibrate {
 
 namespace {
 
-/// Where a list has what.
+/// Columns of a list.
 struct Columns {
     std::size_t program = 0;
     std::optional<std::size_t> time;
     std::optional<std::size_t> record;
-    std::string ending;  ///< What names of programs lack.
+    std::string ending;  ///< Ending that names of programs lack.
 
     std::size_t last() const { return std::max({program, time.value_or(0), record.value_or(0)}); }
 };

@@ -1,4 +1,4 @@
-// Part programs that tell what recorded runs did not.
+// Part programs that determine the parameters missing in recorded runs.
 
 #include <algorithm>
 #include <array>
@@ -19,14 +19,15 @@ using machine::Axis;
 constexpr double kMostOfRange = 0.4;
 constexpr double kMost = 100;  // mm or deg
 
-/// How far a test may move an axis from where it stands at home, to the side with more room.
+/// Returns the distance by which a test may move an axis from its home position, to the side with more
+/// travel.
 double reach_of(const Axis& axis) {
     const double up = axis.max - axis.home, down = axis.home - axis.min;
     const double room = std::min(kMostOfRange * std::max(up, down), kMost);
     return up >= down ? room : -room;
 }
 
-/// There and back over ways of all lengths: their times have both the speed and the ramps in them.
+/// Moves back and forth over distances of all lengths: their times contain both the speed and the ramps.
 std::string strokes(const Axis& axis) {
     std::string text = fmt::format("(there and back with {}: its acceleration and jerk)\n", axis.letter);
     const double reach = reach_of(axis);
@@ -44,7 +45,7 @@ struct Plane {
     double size_mm;
 };
 
-/// Corners of all angles between lines of 20 mm at most.
+/// Writes corners of all angles between lines of 20 mm at most.
 std::string zigzag(const Plane& plane) {
     std::string text = "(corners of all angles)\nG64\n";
     const double side = plane.size_mm / 5;
@@ -82,7 +83,7 @@ std::string stops(const Plane& plane) {
     return text;
 }
 
-/// A word that takes the time of this key of [times], ten times between moves.
+/// Writes a word that takes the time of this key of [times], ten times between moves.
 std::string words(const std::string& key, const Plane& plane) {
     constexpr std::array<std::array<std::string_view, 2>, 8> kWords{{{"tool_change_s", "T1 M6"},
                                                                      {"tool_table_s", "G10 L1 P1 Z0"},

@@ -11,7 +11,7 @@ constexpr int kWeightings = 20;
 constexpr int kSweeps = 50;
 constexpr double kAllAlike = 0.001;  // of a time: what is off by less counts as its square
 
-/// Least squares by one figure after the other, none below 0.
+/// Solves least squares by one parameter after the other, none below 0.
 void sweep(const Eigen::MatrixXd& counts, const Eigen::VectorXd& weights, Eigen::VectorXd& left_s,
            Eigen::VectorXd& waits_s) {
     for (Eigen::Index k = 0; k < waits_s.size(); ++k) {

@@ -14,34 +14,35 @@ namespace gsim::cutting {
 struct AutopathOptions {
     double gap_mm = 0.02;      ///< Ends that are nearer than this are joined.
     double lead_mm = 0;        ///< Radius of leads; 0: three kerfs.
-    geometry::Point start_mm;  ///< Where the tool is before.
+    geometry::Point start_mm;  ///< Tool position before the program.
     ProgramOptions program;
 };
 
-/// What a path cuts.
+/// The amount of cutting in a path.
 struct CutSummary {
     std::size_t outlines = 0;  ///< Contours of the drawing.
     std::size_t pierces = 0;
     std::size_t without_leads = 0;
-    double cut_mm = 0;     ///< Way with the jet on: leads and contours.
+    double cut_mm = 0;     ///< Path length with the jet on: leads and contours.
     double travel_mm = 0;  ///< Between the cuts, over the material.
-    /// At the feeds of the path, without pierces or the time that a machine takes to speed up.
+    /// Time at the feeds of the path, without pierces and without acceleration of the machine.
     double cut_s = 0;
-    double slower_s = 0;  ///< Of that, what curves and corners take more than straight lines of their length.
-    double turning_s = 0;        ///< Of that, turning in one place.
-    double straightening_s = 0;  ///< Of that, what leaning against the taper adds.
+    double slower_s =
+        0;  ///< Part of it: extra time of curves and corners over straight lines of their length.
+    double turning_s = 0;        ///< Part of it: turning at a fixed position.
+    double straightening_s = 0;  ///< Part of it: extra time for taper compensation.
     std::size_t moving_pierces = 0;
 };
 
 struct Autopath {
     path::Program program;
     CutSummary summary;
-    std::vector<std::string> notes;  ///< Sentences: what is not cut as it was drawn.
-    /// What each path of the program cuts, for messages; "" where that is said by its name alone.
+    std::vector<std::string> notes;  ///< Messages: deviations of the cuts from the drawing.
+    /// The object that each path of the program cuts, for messages; "" if its name alone says it.
     std::vector<std::string> cuts = {};
 };
 
-/// From a drawing to the path that cuts it. The error is a sentence that names entities and places.
+/// Returns the path that cuts a drawing, or an error message that names entities and positions.
 tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
                                              const AutopathOptions& options);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kGreatestRadius_mm = 1e5;  // beyond it arcs are said by a point on them, not by their centre
 constexpr double kFlat_mm = 1e-4;           // arcs that are no higher over their chord are lines
 constexpr double kUpright_rad = 1e-11;
-constexpr double kLeastTipRadius_mm = 0.01;             // of the tip's way about a center
+constexpr double kLeastTipRadius_mm = 0.01;             // min radius of the TCP path about a center
 constexpr double kTurnStep_rad = std::numbers::pi / 4;  // of a leaning tool in one block
 constexpr double kSameAngle = 1e-6;
 constexpr double kPierceWayKerfs = 2;
@@ -40,7 +40,7 @@ int turn_steps(double turn_rad) {
     return std::max(1, static_cast<int>(std::ceil(std::abs(turn_rad) / kTurnStep_rad - kSameAngle)));
 }
 
-// How the jet leans: to the right of its way, over the waste.
+// Tilt of the jet: to the right of its path, over the waste.
 struct Lean {
     geometry::Point tangent;
     double bevel_rad = 0;
@@ -77,7 +77,7 @@ class CutPath {
     bool pierced_moving() const { return pierced_moving_; }
 
   private:
-    /// Of the bevel, and against the taper of the kerf.
+    /// Returns the tilt for the bevel and the taper compensation of the kerf.
     double lean_rad(const FedEdge& edge) const {
         const double own = edge.source < bevels_deg_.size() ? bevels_deg_[edge.source] : 0;
         const double bevel_deg = std::abs(own) > 0 ? own : options_.bevel_deg;
@@ -97,8 +97,8 @@ class CutPath {
         wait.dwell_s = rules_.pierce_s;
     }
 
-    /// To and fro at the beginning of the lead, about as fast as it is cut, for just that time. False where
-    /// there is no room.
+    /// Moves back and forth at the beginning of the lead, at about its cutting feed, for exactly that time.
+    /// Returns false if the lead is too short.
     bool pierce_moving(const Edge& lead, double time_s) {
         const double way_mm = std::min(kPierceWayKerfs * rules_.kerf_mm, length_mm(lead) / 2);
         if (way_mm < rules_.kerf_mm / 2 || time_s <= 0) return false;
@@ -133,7 +133,7 @@ class CutPath {
         return {origin[0] + point.x, origin[1] + point.y, origin[2] + height_mm};
     }
 
-    // How far the tip is to the right of where an upright one would be.
+    // Returns the distance from an upright TCP to the tilted one, to the right.
     double aside_mm(double bevel_rad) const {
         if (std::abs(bevel_rad) <= kUpright_rad) return 0;
         return options_.heights.cut_mm * std::tan(bevel_rad) +
@@ -149,8 +149,8 @@ class CutPath {
         return {{aside.x, aside.y, std::cos(lean_.bevel_rad)}};
     }
 
-    // While the jet leans the tool turns with an arc: in steps, so that there is one way only from each
-    // orientation to the next.
+    // If the jet is tilted, the tool turns along an arc in steps, so that the rotation from each orientation
+    // to the next is unambiguous.
     void cut_edge(const FedEdge& fed, double lean_rad) {
         const Edge& edge = fed.edge;
         if (leans_) turn_to(edge.start, {start_tangent(edge), lean_rad});
@@ -167,7 +167,7 @@ class CutPath {
 
     void cut_part(const Edge& part, double feed_mm_min, bool arc) {
         const double share = arc ? tip_share(part) : 1;
-        // Where the tip stands over the center of an arc the tool turns.
+        // If the TCP is over the center of an arc, the tool only turns.
         const bool turns = arc && std::abs(share) * radius_mm(part) < kLeastTipRadius_mm;
         path::Point& point = add_point(arc && !turns ? MotionType::circular : MotionType::linear,
                                        tip_over(part.end, lean_), options_.heights.cut_mm);
@@ -180,13 +180,14 @@ class CutPath {
         if (leans_) point.orientation = tool_axis();
     }
 
-    // The radius of the tip's arc as a share of the edge's; below 0 it runs on the other side of the center.
+    // Returns the radius of the TCP's arc as a share of the edge's radius; below 0 it runs on the other side
+    // of the center.
     double tip_share(const Edge& edge) const {
         const double outwards = edge.bulge > 0 ? 1 : -1;
         return 1 + outwards * aside_mm(lean_.bevel_rad) / radius_mm(edge);
     }
 
-    // In a corner the tool turns about the corner on the material.
+    // Turns the tool in a corner, about the corner on the material.
     void turn_to(geometry::Point corner, const Lean& to) {
         constexpr double kSame = 1e-6;
         const bool same_bevel = std::abs(to.bevel_rad - lean_.bevel_rad) <= kSame;

@@ -8,7 +8,7 @@ using geometry::Edge;
 
 namespace {
 
-constexpr double kWorthIt = 0.999;     // a smaller change of feed is none
+constexpr double kWorthIt = 0.999;     // a smaller change of feed is ignored
 constexpr double kShortest_mm = 0.01;  // parts of edges
 
 double corner_feed(const Edge& before, const Edge& after, const CutRules& rules) {
@@ -18,14 +18,14 @@ double corner_feed(const Edge& before, const Edge& after, const CutRules& rules)
     return rules.feed_in_corner_mm_min(std::atan2(cross(a, b), dot(a, b)));
 }
 
-// An edge between two corners, in up to three parts.
+// Adds an edge between two corners, in up to three parts.
 void add_edge(const Edge& edge, std::uint32_t source, double first_feed, double last_feed,
               const CutRules& rules, std::vector<FedEdge>& result) {
     const double own = feed_on_mm_min(edge, rules);
     const double zone = std::min(1.0, rules.corner_zone_mm / length_mm(edge));
     double first_end = first_feed < kWorthIt * own ? zone : 0;
     double last_begin = last_feed < kWorthIt * own ? 1 - zone : 1;
-    // Zones that meet share the edge.
+    // Zones that overlap share the edge.
     if (first_end > last_begin) first_end = last_begin = first_end / (first_end + 1 - last_begin);
     const double least = kShortest_mm / length_mm(edge);
     if (first_end < least) first_end = 0;

@@ -14,11 +14,11 @@ struct FedEdge {
     std::uint32_t source = 0;  ///< geometry::Vertex::source
 };
 
-/// The edges of a closed loop in order, each with its feed: slower on arcs, and before and behind corners,
-/// where edges are divided for that.
+/// Returns the edges of a closed loop in order, each with its feed: slower on arcs, and before and after
+/// corners. Edges are divided for that.
 std::vector<FedEdge> with_feeds(const geometry::Contour& loop, const CutRules& rules);
 
-/// The feed on a single edge.
+/// Returns the feed on a single edge.
 double feed_on_mm_min(const geometry::Edge& edge, const CutRules& rules);
 
 }  // namespace gsim::cutting

@@ -42,7 +42,7 @@ class EdgeIndex {
         return near;
     }
 
-    // Whether an edge is met anywhere but around one point, further off than `around_mm`.
+    // Returns true if an edge is met farther than `around_mm` from the point `but_for`.
     bool is_met(const Edge& edge, Point but_for, double around_mm) const {
         bool met = false;
         tree_.visit(box_of(edge), [&](std::size_t i) {
@@ -60,7 +60,7 @@ class EdgeIndex {
     geometry::BoxTree tree_;
 };
 
-// Leads that there are already, by the cells of a grid that they reach into.
+// Leads found so far, by the cells of a grid that they touch.
 class LeadGrid {
   public:
     explicit LeadGrid(double cell_mm) : cell_mm_(cell_mm) {}
@@ -69,7 +69,7 @@ class LeadGrid {
         for_cells(box_of(lead), [&](std::uint64_t key) { cells_[key].push_back(lead); });
     }
 
-    /// Whether a lead comes nearer than that to one of them.
+    /// Returns true if a lead comes nearer than `distance` to one of them.
     bool is_near(const Edge& lead, double distance) const {
         bool near = false;
         for_cells(box_of(lead).grown(distance), [&](std::uint64_t key) {
@@ -112,14 +112,14 @@ struct Leads {
     Edge in, out;
 };
 
-// Quarter circles to the right of the way, where the waste is.
+// Returns quarter circles to the right of the path, in the waste.
 Leads leads_at(Point entry, Point along, double radius) {
     static const double kQuarter = std::tan(std::numbers::pi / 8);
     const Point center = entry + radius * right_of(along);
     return {{center - radius * along, entry, -kQuarter}, {entry, center + radius * along, -kQuarter}};
 }
 
-// The middles and quarters of the longest edges: far from corners there is the most room.
+// Returns the middles and quarters of the longest edges, because most space is far from corners.
 std::vector<Place> places_on(const Contour& loop) {
     constexpr std::size_t kLongest = (kPlaces + 2) / 3;
     std::vector<std::size_t> edges(loop.edges());
@@ -141,7 +141,7 @@ std::vector<Place> places_on(const Contour& loop) {
     return places;
 }
 
-// The same loop from a place within an edge on.
+// Returns the same loop, starting from a position within an edge.
 Contour from_place(const Contour& loop, Place place) {
     Contour result;
     result.closed = true;
@@ -167,7 +167,7 @@ class LeadFinder {
         loops_.build();
     }
 
-    /// Leads that keep a kerf away from those before, else any; none where there is no room.
+    /// Returns leads that keep a kerf away from those before, otherwise any; none if the space is too small.
     Cut find(const Loop& loop, double radius_mm) {
         std::optional<Cut> cut = find(loop, radius_mm, true);
         if (!cut) cut = find(loop, radius_mm, false);
@@ -203,7 +203,7 @@ class LeadFinder {
             if (parts_.is_near(point_at(lead, share), clear_mm_)) return false;
         }
         if (parts_.is_met(lead, entry, 0)) return false;
-        // Where the lead touches the loop rounding may find other points that they have in common.
+        // Rounding may create other common points near the contact of the lead and the loop.
         return !loops_.is_met(lead, entry, std::max(1e-3, 0.02 * radius));
     }
 

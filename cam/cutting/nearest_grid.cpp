@@ -22,7 +22,7 @@ NearestGrid::NearestGrid(std::vector<Point> points) : points_(std::move(points))
     if (points_.empty()) box_.add(Point{});
     const Point size = box_.high - box_.low;
     const double count = std::max(1.0, static_cast<double>(points_.size()) / kPointsPerCell);
-    // Of points on a line the area would be 0.
+    // For points on a line the area would be 0.
     cell_mm_ = std::max({std::sqrt(size.x * size.y / count), std::max(size.x, size.y) / count, 1e-9});
     columns_ = static_cast<std::size_t>(size.x / cell_mm_) + 1;
     rows_ = static_cast<std::size_t>(size.y / cell_mm_) + 1;
@@ -72,7 +72,7 @@ std::size_t NearestGrid::take_nearest(Point to) {
     const std::size_t rings = std::max(columns_, rows_);
     for (std::size_t ring = 0; ring <= rings; ++ring) {
         look_around(column, row, ring, to, best);
-        // What is in the rings further out is further away than this one is wide.
+        // Points in outer rings are farther away than the width of this ring.
         if (best.mm <= static_cast<double>(ring) * cell_mm_) break;
     }
     std::vector<std::size_t>& cell = cells_[best.cell];

@@ -7,13 +7,13 @@
 
 namespace gsim::cutting {
 
-/// Points from which the nearest one is taken again and again.
+/// A set of points from which the nearest one is removed repeatedly.
 class NearestGrid {
   public:
     explicit NearestGrid(std::vector<geometry::Point> points);
 
     std::size_t left() const { return left_; }
-    /// Removes the nearest point that is left and returns its number; there has to be one.
+    /// Removes the nearest of the remaining points and returns its number; the set must not be empty.
     std::size_t take_nearest(geometry::Point to);
 
   private:

@@ -11,7 +11,7 @@ using geometry::Point;
 
 namespace {
 
-// An outline's cuts with all that lies within it: a sequence that is kept together.
+// An outline's cuts with all cuts within it: a sequence that is kept together.
 struct Group {
     std::vector<std::size_t> cuts;
     Stop stop;
@@ -22,7 +22,7 @@ class Grouping {
     Grouping(const Layout& layout, const std::vector<Cut>& cuts)
         : cuts_(cuts), own_(layout.outlines.size()), within_(layout.outlines.size()) {
         for (std::size_t i = 0; i < cuts.size(); ++i) own_[cuts[i].outline].push_back(i);
-        // The innermost first, so that each finds its children grouped.
+        // The innermost outlines come first, so that each finds its children grouped.
         std::vector<std::size_t> inward(layout.outlines.size());
         std::iota(inward.begin(), inward.end(), 0U);
         std::stable_sort(inward.begin(), inward.end(), [&](std::size_t a, std::size_t b) {
@@ -51,11 +51,11 @@ class Grouping {
 
     Group grouped(std::size_t outline) {
         std::vector<Group> inner = std::move(within_[outline]);
-        // Smaller loops of the outline itself count as within.
+        // Smaller loops of the outline itself count as inner ones.
         const std::vector<std::size_t>& own = own_[outline];
         for (std::size_t i = 0; i + 1 < own.size(); ++i) inner.push_back({{own[i]}, stop_of(own[i])});
         const Stop last = stop_of(own.back());
-        // The way begins as far off as it ends: near the outline's own pierce.
+        // The tour starts near the outline's own pierce, because it also ends there.
         Group group{joined(std::move(inner), last.entry, last.entry), {}};
         group.cuts.push_back(own.back());
         group.stop = {cuts_[group.cuts.front()].pierce(), last.exit};

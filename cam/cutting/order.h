@@ -6,8 +6,8 @@
 
 namespace gsim::cutting {
 
-/// The order in which to make cuts, by their numbers: what lies within an outline before that outline (it may
-/// fall when it is cut), the cuts of one part together, with short ways between. From `start` on.
+/// Returns the order of cuts, by their numbers, from `start` on. Cuts within an outline come before that
+/// outline (which may drop out when it is cut). The cuts of one part stay together, with short paths between.
 std::vector<std::size_t> cutting_order(const Layout& layout, const std::vector<Cut>& cuts,
                                        geometry::Point start);
 

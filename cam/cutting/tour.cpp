@@ -51,13 +51,13 @@ class Tour {
     Point exit_before(std::size_t i) const { return i == 0 ? start_ : stops_[order_[i - 1]].exit; }
     Point exit(std::size_t i) const { return stops_[order_[i]].exit; }
     Point entry(std::size_t i) const { return stops_[order_[i]].entry; }
-    // From a point to what comes behind place i.
+    // Returns the distance from a point to the stop after index i.
     double way_on(Point from, std::size_t i) const {
         if (i + 1 < order_.size()) return way(from, entry(i + 1));
         return end_ ? way(from, *end_) : 0;
     }
 
-    // The best part that begins at place i, turned round, if that is shorter.
+    // Reverses the best part that begins at index i, if that is shorter.
     bool turn_round(std::size_t i) {
         const Point before = exit_before(i);
         double there = 0;  // within the part, as it is and turned round
@@ -80,7 +80,7 @@ class Tour {
         return true;
     }
 
-    // Moves up to three stops from place i to where they cost least.
+    // Moves up to three stops from index i to the position with the lowest cost.
     bool move_from(std::size_t i) {
         for (std::size_t count = 1; count <= kMaxMoved && i + count <= order_.size(); ++count) {
             const std::size_t last = i + count - 1;
@@ -99,7 +99,7 @@ class Tour {
         return false;
     }
 
-    // Before which place the stops would cost less than they do now; i where there is none.
+    // Returns the index before which the stops cost less than now; i if none is found.
     std::size_t cheapest_place(std::size_t i, std::size_t count, double saved) const {
         const std::size_t last = i + count - 1;
         double best = saved - kGain_mm;

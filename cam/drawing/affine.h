@@ -4,13 +4,13 @@
 
 namespace gsim::drawing {
 
-/// An affine map of the plane: where the unit vectors and the origin go.
+/// An affine map of the plane: the images of the unit vectors and of the origin.
 struct Affine {
     geometry::Point x{1, 0}, y{0, 1}, origin{0, 0};
 
     geometry::Point direction(geometry::Point v) const { return v.x * x + v.y * y; }
     geometry::Point operator()(geometry::Point p) const { return origin + direction(p); }
-    /// `first`, then this.
+    /// Returns the map that applies `first`, then this.
     Affine operator*(const Affine& first) const {
         return {direction(first.x), direction(first.y), (*this)(first.origin)};
     }

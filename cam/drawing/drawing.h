@@ -8,34 +8,34 @@
 
 namespace gsim::drawing {
 
-/// What a piece of contour comes from, for messages.
+/// The source of a contour, for messages.
 struct Entity {
     std::string kind;      ///< "LINE", "path"
     std::string name;      ///< A DXF handle or an SVG id; may be empty.
-    std::size_t line = 0;  ///< 0 where the file's lines mean nothing to its readers.
-    /// How far the side of the part below it leans, in deg; above 0 the part is smaller below.
+    std::size_t line = 0;  ///< 0 if lines of the file mean nothing to users.
+    /// Tilt of the part's side below it, in deg; above 0 the part is smaller below.
     double bevel_deg = 0;
 };
 
-/// "LINE 2F at line 120", or without the line.
+/// Returns "LINE 2F at line 120", or the text without the line.
 std::string shown(const Entity& entity);
 
 /// The contours of a drawing, in mm, y upwards.
 struct Drawing {
-    std::vector<Entity> entities;           ///< What Vertex::source counts.
+    std::vector<Entity> entities;           ///< Vertex::source is an index into it.
     std::vector<geometry::Contour> pieces;  ///< As drawn: in any order, closed or not.
-    std::vector<std::string> notes;         ///< What was left out.
+    std::vector<std::string> notes;         ///< Elements left out.
 };
 
 struct ReadOptions {
-    double tolerance_mm = 0.005;      ///< How far arcs may be off the curves they stand for.
-    double unit_mm = 0;               ///< What one unit of the drawing is; 0: what the drawing says.
+    double tolerance_mm = 0.005;      ///< Max deviation of arcs from the curves they replace.
+    double unit_mm = 0;               ///< Size of one unit of the drawing; 0: as the drawing says.
     std::vector<std::string> layers;  ///< Only these, if there are any (DXF).
 };
 
-/// A drawing cannot have more lines and arcs than this.
+/// Max number of lines and arcs of a drawing.
 inline constexpr std::size_t kMaxEdges = 500'000;
-/// Nor reach further.
+/// Max coordinate of a drawing.
 inline constexpr double kMaxCoordinate_mm = 5e5;
 
 }  // namespace gsim::drawing

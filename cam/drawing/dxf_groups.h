@@ -13,23 +13,23 @@ namespace gsim::drawing {
 struct Group {
     int code = 0;
     std::string_view value;
-    std::size_t line = 0;  ///< Of the value.
+    std::size_t line = 0;  ///< Line of the value.
 };
 
-/// What is wrong with a file; thrown inside of the readers alone.
+/// An error in a file; thrown only within the readers.
 struct DrawingFault {
     std::size_t line = 0;
     std::string sentence;
 };
 
-/// Walks through the groups of a DXF file; a copy goes on from the same place.
+/// Reads the groups of a DXF file in sequence; a copy continues from the same position.
 class GroupReader {
   public:
     explicit GroupReader(std::string_view text) : text_(text) {}
 
-    /// The next group, nothing at the end of the text. Throws DrawingFault for what is no group.
+    /// Returns the next group, nothing at the end of the text. Throws DrawingFault for an invalid group.
     std::optional<Group> next();
-    /// The same without going on.
+    /// Returns the next group without consuming it.
     std::optional<Group> peek() const { return GroupReader(*this).next(); }
     std::size_t line() const { return line_; }
 
@@ -38,7 +38,7 @@ class GroupReader {
 
     std::string_view text_;
     std::size_t offset_ = 0;
-    std::size_t line_ = 0;  // lines taken
+    std::size_t line_ = 0;  // lines read
 };
 
 /// The groups of one entity, from its kind to the next code 0.
@@ -51,9 +51,9 @@ class GroupList {
     std::size_t line() const { return kind_.line; }
     const std::vector<Group>& groups() const { return groups_; }
     std::optional<std::string_view> text(int code) const;
-    /// Throws DrawingFault for what is no finite number.
+    /// Throws DrawingFault if the value is not a finite number.
     double number(int code, double otherwise) const;
-    double number(int code) const;  ///< And where there is none.
+    double number(int code) const;  ///< Throws also if it is missing.
     int whole(int code, int otherwise) const;
     geometry::Point point(int code) const;  ///< x at `code`, y ten above.
 
@@ -62,7 +62,7 @@ class GroupList {
     std::vector<Group> groups_;
 };
 
-/// Throws DrawingFault for what is no finite number.
+/// Throws DrawingFault if the value is not a finite number.
 double number_of(const Group& group);
 
 }  // namespace gsim::drawing

@@ -25,7 +25,7 @@ struct Block {
     GroupReader content;
 };
 
-// Where the entities of a block, or of the drawing, go.
+// The position of the entities of a block or of the drawing.
 struct Placement {
     Affine map;
     std::string_view layer;  // of what is on layer 0 of a block; empty in the drawing itself
@@ -51,7 +51,7 @@ class DxfReader {
         if (!ended)
             throw DrawingFault{reader.line(), "the file ends without EOF: it was cut off, or is no DXF file"};
         if (!entities_) throw DrawingFault{reader.line(), "there is no section ENTITIES"};
-        // Units, layers and blocks may stand anywhere: what is drawn comes last.
+        // Units, layers and blocks may be anywhere in the file, so the entities are drawn last.
         const double unit_mm = options_.unit_mm > 0 ? options_.unit_mm : dxf_unit_mm(unit_code_);
         read_entities(*entities_, {scaled(unit_mm, unit_mm), "", 0});
         for (const auto& [kind, count] : left_out_) {
@@ -99,7 +99,7 @@ class DxfReader {
         if (frozen || off) hidden_.emplace(layer.text(2).value_or(""));
     }
 
-    // Until the end of the section or block.
+    // Reads until the end of the section or block.
     void read_entities(GroupReader reader, const Placement& placement) {
         GroupList entity;
         while (const auto group = reader.next()) {
@@ -139,7 +139,7 @@ class DxfReader {
         if (in_paper_space || invisible) return false;
         const std::string_view layer = layer_of(entity, placement);
         if (hidden_.contains(layer) || layer == "DEFPOINTS" || layer == "Defpoints") return false;
-        // What is in an inserted block has layers of its own.
+        // The contents of an inserted block have their own layers.
         return options_.layers.empty() || entity.kind() == "INSERT" ||
                std::find(options_.layers.begin(), options_.layers.end(), layer) != options_.layers.end();
     }

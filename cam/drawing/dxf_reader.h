@@ -9,9 +9,9 @@
 
 namespace gsim::drawing {
 
-/// The contours in a DXF file (text form, as of R12): LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE,
-/// SPLINE and INSERT of the model space, on layers that are neither off nor frozen. The unit is that of
-/// $INSUNITS, mm where it has none. The error is a sentence that begins with the line.
+/// Returns the contours in a DXF file (text form, as of R12): LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE,
+/// POLYLINE, SPLINE and INSERT of the model space, on layers that are neither off nor frozen. The unit is
+/// that of $INSUNITS, mm if it is missing. The error message begins with the line.
 ///
 /// Source: Autodesk, "DXF Reference" (AutoCAD 2012).
 tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOptions& options);

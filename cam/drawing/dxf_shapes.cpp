@@ -27,7 +27,7 @@ double radians(double degrees) {
                        fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, sentence)};
 }
 
-// The angle from one to the other counter-clockwise, above 0 and at most a full turn.
+// Returns the counter-clockwise angle from one to the other, above 0 and at most a full turn.
 double turn_between(double from_rad, double to_rad) {
     const double turn = std::fmod(to_rad - from_rad, 2 * std::numbers::pi);
     return turn <= 1e-12 ? turn + 2 * std::numbers::pi : turn;
@@ -126,7 +126,7 @@ void draw_fitted(const GroupList& entity, Pen& pen) {
     for (const Nurbs& piece : pieces) pen.nurbs(piece);
 }
 
-// By control points, or by points on it alone.
+// Draws a spline from its control points, or from points on the curve alone.
 void draw_spline(const GroupList& entity, Pen& pen) {
     Nurbs curve;
     const int degree = entity.whole(71, 3);

@@ -8,10 +8,10 @@
 
 namespace gsim::drawing {
 
-/// Whether an entity of this kind can be drawn by draw_shape().
+/// Returns true if draw_shape() can draw an entity of this kind.
 bool is_shape(std::string_view kind);
 
-/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE or SPLINE; the pen has been given where. Throws
+/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE or SPLINE at the target set in the pen. Throws
 /// DrawingFault.
 void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source, Pen& pen);
 
@@ -19,8 +19,8 @@ void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source
 void draw_polyline(const GroupList& entity, const std::vector<GroupList>& vertices, const Affine& map,
                    std::uint32_t source, Pen& pen);
 
-/// The map from an entity's own coordinates into those of the drawing, by its extrusion direction, which
-/// has to be up or down. Throws DrawingFault.
+/// Returns the map from an entity's own coordinates into those of the drawing, by its extrusion direction,
+/// which must be up or down. Throws DrawingFault.
 Affine entity_plane(const GroupList& entity);
 
 }  // namespace gsim::drawing

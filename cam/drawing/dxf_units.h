@@ -2,8 +2,8 @@
 
 namespace gsim::drawing {
 
-/// What a unit is by $INSUNITS; 1 mm for code 0, which says nothing. Throws DrawingFault for units that no
-/// part is drawn in.
+/// Returns the size of a unit by $INSUNITS; 1 mm for code 0, which means unspecified. Throws DrawingFault for
+/// units in which no part is drawn.
 double dxf_unit_mm(int code);
 
 }  // namespace gsim::drawing

@@ -14,7 +14,7 @@ struct Row {
     Point right;
 };
 
-// Of equations that each hold at most the neighbours (Thomas).
+// Solves equations that contain only direct neighbours (Thomas).
 std::vector<Point> solve(std::vector<Row> rows) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const double share = rows[i].before / rows[i - 1].here;
@@ -30,7 +30,8 @@ std::vector<Point> solve(std::vector<Row> rows) {
     return values;
 }
 
-// Of equations whose first one holds the last value, too, and the last one the first (Sherman and Morrison).
+// Solves equations whose first one also contains the last value, and the last one the first (Sherman and
+// Morrison).
 std::vector<Point> solve_ring(std::vector<Row> rows) {
     const double corner = rows.front().before;
     const double other = rows.back().behind;
@@ -49,7 +50,7 @@ std::vector<Point> solve_ring(std::vector<Row> rows) {
     return values;
 }
 
-// The derivatives at the points by the chords' lengths; the curvature does not jump.
+// The derivatives at the points by chord length; the curvature is continuous.
 class Derivatives {
   public:
     explicit Derivatives(const std::vector<Point>& points) : points_(points) {}
@@ -64,7 +65,7 @@ class Derivatives {
         return solve(std::move(rows));
     }
 
-    // The last point is the first one again, and is not among them.
+    // Returns the derivatives of a closed curve, without the last point, which equals the first one.
     std::vector<Point> closed() const {
         const std::size_t count = points_.size();
         std::vector<Row> rows;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxDegree = 15;
 
-// A point times its weight, and the weight.
+// A point multiplied by its weight, and the weight.
 struct Weighted {
     Point point;
     double weight = 0;

@@ -13,17 +13,17 @@ struct Nurbs {
     std::size_t degree = 3;
     std::vector<double> knots;  ///< points.size() + degree + 1, never falling.
     std::vector<geometry::Point> points;
-    std::vector<double> weights;  ///< One for each point, or none at all.
+    std::vector<double> weights;  ///< One for each point, or empty.
 };
 
-/// What is wrong with a curve, as the end of a sentence that begins with its name.
+/// Returns the error of a curve, as the end of a message that begins with its name.
 std::optional<std::string> fault_of(const Nurbs& curve);
 
-/// The curve in the span of knots[span] to knots[span + 1], of a curve without fault (de Boor's algorithm;
+/// Returns the point in the span of knots[span] to knots[span + 1] of a valid curve (de Boor's algorithm;
 /// Piegl and Tiller, "The NURBS Book", 1997, ch. 4).
 geometry::CurvePoint point_of(const Nurbs& curve, std::size_t span, double parameter);
 
-/// A cubic of Bezier.
+/// Returns a cubic Bezier curve.
 Nurbs bezier(geometry::Point a, geometry::Point b, geometry::Point c, geometry::Point d);
 
 }  // namespace gsim::drawing

@@ -17,28 +17,28 @@ struct EllipseArc {
     double sweep_rad = 0;
 };
 
-/// Draws contours in the coordinates of an entity; they arrive where an affine map puts them. Circles stay
-/// arcs where the map leaves them round; all other curves become arcs within a tolerance.
+/// A pen that draws contours in the coordinates of an entity and maps them with an affine map. Circles stay
+/// arcs if the map keeps them round; all other curves become arcs within a tolerance.
 class Pen {
   public:
     Pen(std::vector<geometry::Contour>& pieces, double tolerance_mm)
         : pieces_(pieces), tolerance_mm_(tolerance_mm) {}
 
-    /// What is drawn from now on, and where it goes.
+    /// Sets the map and the source of the following contours.
     void take(const Affine& map, std::uint32_t source);
     void move_to(geometry::Point point);
     void line_to(geometry::Point point);
-    /// An edge with a bulge (geometry::Edge).
+    /// Draws an edge with a bulge (geometry::Edge).
     void bulge_to(geometry::Point point, double bulge);
-    /// Begins where the pen is, but for rounding.
+    /// Draws an arc that begins at the pen's position, except for rounding.
     void arc(const EllipseArc& arc);
     void nurbs(const Nurbs& curve);
-    /// A line back to where move_to() was; the pen is there then.
+    /// Draws a line back to the point of move_to(), which is then the pen's position.
     void close();
-    /// Ends the contour; needed before the pieces are looked at.
+    /// Ends the contour; required before the contours are read.
     void lift();
 
-    /// What could not be drawn since take(), as the end of a sentence.
+    /// Returns the error since take(), as the end of a message.
     const std::optional<std::string>& fault() const { return fault_; }
 
   private:

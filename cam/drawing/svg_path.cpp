@@ -32,7 +32,7 @@ class PathReader {
                 return wrong(fmt::format("command {} is unknown, or its numbers are not complete", command_));
             if (pen_.fault()) return *pen_.fault();
             before_ = static_cast<char>(std::toupper(command_));
-            // Further pairs behind a move are lines.
+            // Further pairs after a move are lines.
             if (command_ == 'M') command_ = 'L';
             if (command_ == 'm') command_ = 'l';
         }
@@ -102,7 +102,8 @@ class PathReader {
         return true;
     }
 
-    // Where the last control point would be on the other side, if the command before had one of that kind.
+    // Returns the mirror image of the last control point if the command before was of that kind, else the
+    // current point.
     Point mirrored(char kind, char short_kind) const {
         return before_ == kind || before_ == short_kind ? 2.0 * here_ - control_ : here_;
     }
@@ -132,7 +133,7 @@ class PathReader {
         here_ = to;
     }
 
-    // SVG 1.1, F.6: from ends, radii and flags to the centre.
+    // Converts ends, radii and flags to the centre, after SVG 1.1, F.6.
     bool arc() {
         const std::optional<double> rx = scanner_.number();
         const std::optional<double> ry = scanner_.number();

@@ -22,7 +22,7 @@ namespace {
 constexpr int kMaxElementDepth = 100;
 constexpr std::size_t kMaxElements = 1'000'000;  // counted as often as they are used
 
-// Thrown inside of this file alone.
+// Thrown only within this file.
 struct SvgFault {
     std::string sentence;
 };
@@ -65,7 +65,7 @@ class SvgReader {
   private:
     std::size_t line_at(std::ptrdiff_t offset) const {
         const auto end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset));
-        // Elements come in their order: no line is counted twice.
+        // Elements come in order, so no line is counted twice.
         if (end < counted_to_) counted_to_ = counted_lines_ = 0;
         const std::string_view part = text_.substr(0, end).substr(std::min(counted_to_, end));
         counted_lines_ += static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
@@ -112,7 +112,7 @@ class SvgReader {
         return ViewBox{{values[0], values[1]}, {values[2], values[3]}};
     }
 
-    // From the units of the outermost element to mm, y upwards.
+    // Returns the map from the units of the outermost element to mm, y upwards.
     Affine page(const pugi::xml_node& root) const {
         const std::optional<ViewBox> box = view_box(root);
         const double unit = options_.unit_mm > 0 ? options_.unit_mm : kMmPerPx;
@@ -130,7 +130,7 @@ class SvgReader {
         return moved({0, box->size.y * scale.y}) * scaled(scale.x, -scale.y) * map;
     }
 
-    // A drawing keeps its shape on a page of another shape unless it says otherwise.
+    // A drawing keeps its aspect ratio on a page of another shape unless the file says otherwise.
     static Point fitted(const pugi::xml_node& node, double x, double y) {
         const std::string_view how = node.attribute("preserveAspectRatio").value();
         if (how.starts_with("none")) return {x, y};
@@ -158,7 +158,7 @@ class SvgReader {
         hidden_ = hidden_around;
     }
 
-    // What is hidden may hold what is visible.
+    // A hidden element may contain visible ones.
     void read_visible(const pugi::xml_node& node, std::string_view name, const Affine& own, int depth) {
         if (is_one_of(name, {"g", "a", "switch"})) {
             read_children(node, own, depth + 1);
@@ -196,8 +196,8 @@ class SvgReader {
         return svg_length_px(node.attribute(name).value()).value_or(0);
     }
 
-    // A side of what is within the drawing: a use may say it in place of the element; else all of what is
-    // around it.
+    // Returns a side of an element within the drawing: that of the `use` element, else its own, else the full
+    // side of the surrounding element.
     double side(const pugi::xml_node& placed_by, const pugi::xml_node& node, const char* name,
                 double around) const {
         for (const pugi::xml_node* says : {&placed_by, &node}) {
@@ -207,13 +207,13 @@ class SvgReader {
         return around;
     }
 
-    // The size that is all of the width and height for what is inside of a node.
+    // Returns the size that counts as 100 % of width and height inside a node.
     Point inside(const pugi::xml_node& node, Point size) const {
         const std::optional<ViewBox> box = view_box(node);
         return box ? box->size : size;
     }
 
-    // An svg or symbol within the drawing. Where nothing says how large the page is, it keeps its size.
+    // Reads an svg or symbol within the drawing. It keeps its size if the size of the page is not given.
     void read_inner(const pugi::xml_node& node, const pugi::xml_node& placed_by, const Affine& map,
                     int depth) {
         const std::optional<ViewBox> box = view_box(node);
@@ -226,7 +226,7 @@ class SvgReader {
         viewport_ = around;
     }
 
-    // From a view box to the size that it gets.
+    // Returns the map from a view box to its size on the page.
     static Affine fitting(const pugi::xml_node& node, const ViewBox& box, Point size) {
         const Point scale = fitted(node, size.x / box.size.x, size.y / box.size.y);
         const Point spare{(size.x - scale.x * box.size.x) / 2, (size.y - scale.y * box.size.y) / 2};
@@ -268,7 +268,7 @@ class SvgReader {
     std::map<std::string, pugi::xml_node, std::less<>> ids_;
     std::map<std::string, std::size_t> left_out_;
     SvgStyles styles_;
-    Point viewport_;  // in units of where an element stands; 0: unknown
+    Point viewport_;  // in units at the position of an element; 0: unknown
     bool hidden_ = false;
     std::size_t elements_ = 0;
     mutable std::size_t counted_to_ = 0;

@@ -9,10 +9,10 @@
 
 namespace gsim::drawing {
 
-/// The contours in an SVG file: path, rect, circle, ellipse, line, polyline and polygon, in groups and
-/// symbols, also by use; whatever their colours. What is not displayed is left out. Width and height say how
-/// long a unit is; where they do not, it is a px (1/96 inch). y is turned upwards, 0 at the lower edge of the
-/// page. The error is a sentence that begins with the line.
+/// Returns the contours in an SVG file: path, rect, circle, ellipse, line, polyline and polygon, in groups
+/// and symbols, also by use; for all colours. It leaves out elements that are not displayed. Width and height
+/// define the length of a unit; otherwise it is a px (1/96 inch). y is mirrored upwards, 0 at the lower edge
+/// of the page. The error message begins with the line.
 tl::expected<Drawing, std::string> read_svg(std::string_view text, const ReadOptions& options);
 
 }  // namespace gsim::drawing

@@ -18,7 +18,7 @@ namespace {
 
 using ShapeFault = std::optional<std::string>;
 
-// Lengths of an element; keeps the first that cannot be read.
+// Lengths of an element, with the first one that cannot be read.
 class Lengths {
   public:
     explicit Lengths(const pugi::xml_node& node) : node_(node) {}

@@ -22,7 +22,7 @@ std::string_view without_blanks(std::string_view text) {
     return text::trimmed(text, kBlanks);
 }
 
-// The part in front of a separator, which is taken off the text.
+// Returns the part in front of a separator, and removes it from the text.
 std::string_view take_to(std::string_view& text, char separator) {
     const std::string_view part = text.substr(0, text.find(separator));
     text.remove_prefix(std::min(part.size() + 1, text.size()));
@@ -42,7 +42,7 @@ std::string without_comments(std::string_view text) {
     return plain;
 }
 
-// Of declarations such as "fill: none; display: none"; the last one counts.
+// Returns a value from declarations such as "fill: none; display: none"; the last one counts.
 std::string_view declared(std::string_view declarations, std::string_view name) {
     std::string_view found;
     while (!declarations.empty()) {
@@ -66,7 +66,7 @@ std::string_view take_name(std::string_view& text) {
     return name;
 }
 
-// Where the block that begins with a brace ends, behind its closing brace.
+// Returns the position after the closing brace of the block that begins with a brace.
 std::size_t end_of_block(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {
@@ -148,7 +148,7 @@ void SvgStyles::add_rule(std::string_view selectors, std::string_view declaratio
             shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
         not_understood_.push_back(std::move(shown));
     };
-    if (selectors.starts_with('@')) {  // rules for some media, in a block of their own
+    if (selectors.starts_with('@')) {  // rules for some media, in their own block
         for (const std::string_view property : kProperties) {
             if (declarations.find(property) != std::string_view::npos) return not_understood(selectors);
         }

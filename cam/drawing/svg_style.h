@@ -9,31 +9,32 @@
 
 namespace gsim::drawing {
 
-/// The style sheets of an SVG file, as far as they say what is displayed: rules for elements, classes, ids
-/// and all (`path`, `.hidden`, `path.hidden`, `#frame`, `*`, lists of them), the properties display and
-/// visibility.
+/// The style sheets of an SVG file, limited to visibility: rules for elements, classes, ids and all (`path`,
+/// `.hidden`, `path.hidden`, `#frame`, `*`, lists of them), the properties display and visibility.
 class SvgStyles {
   public:
-    /// Reads the text of a <style> element, behind those before.
+    /// Reads the text of a <style> element, after those before.
     void add(std::string_view text);
-    /// The value of a property of an element: from its style attribute, else from the sheets, else from the
-    /// attribute of that name; empty where none says it. Valid as long as the document and this.
+    /// Returns the value of a property of an element: from its style attribute, else from the style sheets,
+    /// else from the attribute of that name; empty if none sets it. Valid as long as the document and this
+    /// object.
     std::string_view property(const pugi::xml_node& node, std::string_view name) const;
-    /// Selectors with display or visibility that were not understood; what they hide is drawn.
+    /// Returns selectors with display or visibility that were not understood; the elements that they hide are
+    /// drawn.
     const std::vector<std::string>& not_understood() const { return not_understood_; }
 
   private:
-    /// A selector without relations: what an element must be. Empty parts fit any.
+    /// A selector without relations: conditions for an element. Empty parts match any.
     struct Rule {
         std::string element, id;
         std::vector<std::string> classes;
         std::string property, value;
-        int weight = 0;  ///< Of those that fit the heaviest counts, the later of equal ones.
+        int weight = 0;  ///< The heaviest matching rule counts, the later of equal ones.
 
         bool fits(const pugi::xml_node& node) const;
     };
 
-    /// Nothing for what is not understood.
+    /// Returns nothing if the selector is not understood.
     static std::optional<Rule> rule_of(std::string_view selector);
     void add_rule(std::string_view selectors, std::string_view declarations);
 
@@ -41,7 +42,7 @@ class SvgStyles {
     std::vector<std::string> not_understood_;
 };
 
-/// An element's name without the prefix svg:.
+/// Returns an element's name without the prefix svg:.
 std::string_view local_name(const pugi::xml_node& node);
 
 }  // namespace gsim::drawing

@@ -52,7 +52,7 @@ std::optional<double> SvgScanner::number() {
     skip_blanks();
     std::size_t first = offset_;
     if (first < text_.size() && text_[first] == '+') ++first;
-    // read_number would take "inf" and "nan" as well.
+    // read_number would accept "inf" and "nan", too.
     std::size_t digit = first;
     while (digit < text_.size() && (text_[digit] == '-' || text_[digit] == '.')) ++digit;
     if (digit >= text_.size() || !text::is_digit(text_[digit])) return {};

@@ -10,19 +10,19 @@
 
 namespace gsim::drawing {
 
-/// Reads numbers, flags and letters of SVG attributes, with blanks and commas between them.
+/// A reader for numbers, flags and letters of SVG attributes, with blanks and commas between them.
 class SvgScanner {
   public:
     explicit SvgScanner(std::string_view text) : text_(text) {}
 
     bool at_end();
-    /// A finite number.
+    /// Reads a finite number.
     std::optional<double> number();
-    /// "0" or "1", which need nothing behind them.
+    /// Reads "0" or "1", which need no separator after them.
     std::optional<bool> flag();
-    /// A letter, if one comes next.
+    /// Reads a letter, if one comes next.
     std::optional<char> letter();
-    /// Letters up to another character.
+    /// Reads letters up to another character.
     std::string_view word();
     bool take(char c);
     std::size_t offset() const { return offset_; }
@@ -34,10 +34,11 @@ class SvgScanner {
     std::size_t offset_ = 0;
 };
 
-/// A length in px (1/96 inch) such as "12mm" or "3.5"; nothing if it is none, or is relative ("50%", "2em").
+/// Returns a length in px (1/96 inch) such as "12mm" or "3.5"; nothing if it is invalid or relative ("50%",
+/// "2em").
 std::optional<double> svg_length_px(std::string_view text);
 
-/// A list such as "translate(3) rotate(30 1 2)"; nothing if it is none.
+/// Returns the map of a list such as "translate(3) rotate(30 1 2)"; nothing if it is invalid.
 std::optional<Affine> svg_transform(std::string_view text);
 
 inline constexpr double kMmPerPx = kMmPerInch / 96;

@@ -11,16 +11,16 @@
 
 namespace gsim::transit {
 
-/// A stretch that is straight in all axes.
+/// A section of the motion that is straight in all axes.
 struct AxisStep {
-    path::TargetId where;   ///< The target that it leads to, or on the way to.
-    path::AxisValues axes;  ///< Where it ends, in machine coordinates, mm or deg.
+    path::TargetId where;   ///< The target at its end, or after it on the path.
+    path::AxisValues axes;  ///< End point in machine coordinates, mm or deg.
     bool rapid = false;
     bool jet_on = false;
 };
 
-/// How the axes go through a whole program, sub-paths where they are used and arcs as chords, as
-/// path2gcode writes it. The error names target and axis: out of its range, or no way there.
+/// Returns the motion of the axes through a complete program, with sub-paths inserted and arcs as chords, as
+/// path2gcode writes it. The error names target and axis: out of its range, or not reachable.
 tl::expected<std::vector<AxisStep>, path::Fault> axis_way(const path::Program& program,
                                                           const path::MachineSpace& machine,
                                                           const Origin& origin);

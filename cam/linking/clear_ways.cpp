@@ -19,33 +19,33 @@ using path::Fault;
 using path::Point;
 using path::TargetId;
 
-// Ways that are made keep this much more than the cell's clearance where there is room, for controllers that
+// Generated paths keep this distance in addition to the cell's clearance if possible, for controllers that
 // round corners.
 constexpr double kMargin_mm = 2;
 constexpr double kTouch_mm = 1e-3;
 constexpr double kRounding_mm = 1e-6;
-// The axes that turn are chosen for the whole of a path, so that another way may change others.
+// Max rounds: rotary axis angles are chosen for a complete path, so one changed path can change others.
 constexpr int kMostRounds = 4;
 
 struct Node {
     AxisValues axes;
     std::size_t step = 0;  ///< That ends there.
-    bool is_free = false;  ///< Nothing is done there, so that the way may lead elsewhere.
+    bool is_free = false;  ///< Without an action, so that the path may avoid it.
 };
 
-/// Rapids one behind the other.
+/// Consecutive rapids.
 struct Run {
     AxisValues from;
     std::vector<Node> nodes;
 };
 
-/// What is to be done before a target, and with it.
+/// Changes before a target, and to it.
 struct Edit {
     std::vector<AxisValues> before = {};
-    bool leaves = false;  ///< The target itself is left out; else it says itself how the tool stands.
+    bool leaves = false;  ///< The target itself is removed; otherwise it gets the tool orientation.
 };
 
-// Of targets, by path and number.
+// Edits of targets, by path and number.
 using Edits = std::map<std::pair<std::size_t, std::size_t>, Edit>;
 
 std::pair<std::size_t, std::size_t> key_of(const TargetId& where) {
@@ -92,7 +92,7 @@ class WayMaker {
           clearance_mm_(space.cell().clearance_mm),
           orients_(names_orientations(program)) {}
 
-    /// Whether nothing had to be changed.
+    /// Returns true if no change was necessary.
     bool run(const std::vector<AxisStep>& steps) {
         edits_.clear();
         faults_.clear();
@@ -107,7 +107,7 @@ class WayMaker {
     }
     std::size_t runs() const { return runs_; }
     std::size_t changed() const { return changed_.size(); }
-    /// One for each path, the first.
+    /// Returns the first error of each path.
     std::vector<Fault> take_faults() {
         std::set<std::size_t> told;
         const auto again = [&](const Fault& fault) { return !told.insert(fault.where.path).second; };
@@ -116,7 +116,7 @@ class WayMaker {
     }
 
   private:
-    // The greatest of some distances that both ends keep; none where one of them touches something.
+    // Returns the largest of some distances that both ends keep; none if one of them touches something.
     std::optional<double> kept_at_ends(const Run& run, std::initializer_list<double> distances_mm) const {
         for (const double mm : distances_mm) {
             if (!space_.obstacle_at(run.from, mm) && !space_.obstacle_at(run.nodes.back().axes, mm))
@@ -125,8 +125,8 @@ class WayMaker {
         return std::nullopt;
     }
 
-    // Behind the last cut the tool need not go up as far as to the next one, unless the root says where the
-    // program ends.
+    // After the last cut the tool does not need to rise as far as for the next cut, unless the root defines
+    // the end of the program.
     void shorten_end(Run& run, const std::vector<AxisStep>& steps) {
         if (run.nodes.back().step + 1 != steps.size()) return;
         while (!run.nodes.empty() && space_.obstacle_at(run.nodes.back().axes, least_mm())) {
@@ -170,7 +170,7 @@ class WayMaker {
 
     std::string name(std::size_t item) const { return space_.cell().items[item].name; }
 
-    // Where it begins is the business of the cut before.
+    // An error at the start belongs to the cut before.
     void tell_ends(const Run& run, const std::vector<AxisStep>& steps) {
         const Node& last = run.nodes.back();
         const std::size_t first = run.nodes.front().step;
@@ -183,7 +183,7 @@ class WayMaker {
             faults_.push_back({where, "the tool cannot stand at " + space_.told(axes, obstacle->items)});
     }
 
-    // By the places that it was to lead to, those where something is in the way left out; or else past all of
+    // Leads the path through its original positions, without those near an obstacle, or else past all of
     // them.
     bool make_round(const Run& run, const std::vector<AxisStep>& steps, double clearance_mm) {
         std::vector<const Node*> kept;
@@ -210,7 +210,7 @@ class WayMaker {
         return true;
     }
 
-    // None where one of them is not found.
+    // Returns no paths if one of them is not found.
     std::vector<Way> ways_by(const AxisValues& from, const std::vector<const Node*>& nodes,
                              double clearance_mm) const {
         std::vector<Way> ways;
@@ -230,7 +230,7 @@ class WayMaker {
         const Eigen::Vector3d tip = space_.machine().tip(values);
         Point point;
         point.motion = path::MotionType::rapid;
-        // What rounding leaves behind their last digit is nobody's.
+        // Digits beyond this are only rounding errors.
         for (std::size_t i = 0; i < 3; ++i)
             point.position_mm[i] =
                 std::round(tip[static_cast<Eigen::Index>(i)] / kRounding_mm) * kRounding_mm;
@@ -273,7 +273,7 @@ class WayMaker {
     bool orients_;
     Edits edits_;
     std::size_t runs_ = 0;
-    std::set<std::size_t> changed_;  ///< Runs, whose order does not change.
+    std::set<std::size_t> changed_;  ///< Indices of runs, which keep their order.
     std::vector<Fault> faults_;
 };
 

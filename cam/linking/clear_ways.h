@@ -8,23 +8,23 @@
 
 namespace gsim::transit {
 
-/// What became of the ways between cuts.
+/// The result for the paths between cuts.
 struct Transit {
     std::size_t ways = 0;     ///< From one cut, or the start, to the next cut, or the end.
-    std::size_t changed = 0;  ///< Of these: they lead round something now.
-    /// Cuts that bodies of the cell are in the way of, and ways that were not found: sentences, one for each
-    /// path at most.
+    std::size_t changed = 0;  ///< Paths that were rerouted.
+    /// Messages, at most one for each path: cuts that collide with bodies of the cell, and paths that were
+    /// not found.
     std::vector<path::Fault> faults = {};
 };
 
-/// Leads the rapids of a program past the bodies of a cell: where one would come nearer to something than
-/// the cell's clearance, rapids round it take its place. Looks at the cuts, too. Each path of the program
-/// is used once. `start` is where the machine stands before, machine coordinates. The error is a fault of the
-/// path itself: an axis that would leave its range.
+/// Reroutes the rapids of a program past the bodies of a cell. If a rapid would come nearer to something than
+/// the cell's clearance, rapids around it replace it. Checks the cuts, too. Each path of the program is used
+/// once. `start` is the machine position before the program, in machine coordinates. The error is an error of
+/// the path itself: an axis that would leave its range.
 tl::expected<Transit, path::Fault> clear_ways(path::Program& program, const RapidSpace& space,
                                               const AxisValues& start);
 
-/// Whether a program says anywhere how the tool stands.
+/// Returns true if a program specifies a tool orientation anywhere.
 bool names_orientations(const path::Program& program);
 
 }  // namespace gsim::transit

@@ -7,7 +7,7 @@
 
 namespace gsim::transit {
 
-/// What touches what on the way of a program, the first contact of each of its paths.
+/// Returns the contacts along the motion of a program, the first one of each of its paths.
 std::vector<path::Fault> look_at_steps(std::span<const AxisStep> steps, const RapidSpace& space,
                                        const AxisValues& start);
 

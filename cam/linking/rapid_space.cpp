@@ -13,10 +13,10 @@ namespace gsim::transit {
 
 namespace {
 
-// Above the higher end, in mm; the last one is the end of the axis.
+// Heights above the higher end, in mm; the last one is the end of the axis.
 constexpr std::array<double, 8> kLifts_mm{5, 10, 20, 40, 80, 160, 320, 1e9};
 constexpr int kMostQuestions = 4000;
-// How far an axis without an end is sought beyond both places, mm or deg.
+// Search range of an axis without an end beyond both positions, mm or deg.
 constexpr double kBeyond = 360;
 
 }  // namespace
@@ -47,7 +47,7 @@ motion::Segment RapidSpace::rapid(const AxisValues& from, const AxisValues& to) 
     const bool is_planned = setup_->controller.interpolated_rapids
                                 ? motion::plan_joint_move(*setup_, {}, 1, segment).has_value()
                                 : motion::plan_apart(*setup_, {}, segment).has_value();
-    // Where what the machine says of its axes makes no time law, the way is straight all the same.
+    // If the machine's axis data give no time law, the path is straight anyway.
     return is_planned ? segment : straight(from, to);
 }
 
@@ -89,7 +89,7 @@ WaySpace RapidSpace::space(const AxisValues& from, const AxisValues& to, double 
     return space;
 }
 
-// Up, over with what turns, and down: what people do, and can read in a program.
+// Up, over with the rotations, and down: the usual path, which people can read in a program.
 std::optional<Way> RapidSpace::over(const WaySpace& space, const AxisValues& from,
                                     const AxisValues& to) const {
     const auto z = static_cast<Eigen::Index>(*machine_->machine().find('Z'));

@@ -13,17 +13,17 @@
 
 namespace gsim::transit {
 
-/// Where the origin of a program lies, by axis letter, mm or deg: a work offset.
+/// Position of a program's origin, by axis letter, mm or deg: a work offset.
 using Origin = std::map<char, double>;
 
-/// What machine coordinates of the axes are more than those of a program with that origin.
+/// Returns the machine coordinates of the axes minus those of a program with that origin.
 AxisValues shift_of(const Origin& origin, const machine::Machine& machine);
 
-/// Rapids of a machine among the bodies of its cell. Axis values are machine coordinates.
+/// Rapids of a machine between the bodies of its cell. Axis values are machine coordinates.
 class RapidSpace {
   public:
-    /// What is given must outlive this; `setup` is the machine for its planner. Without `turns` the tool
-    /// stays as it stands on ways that are searched.
+    /// The arguments must outlive this object; `setup` is the machine for its planner. Without `turns` the
+    /// tool keeps its orientation on searched paths.
     RapidSpace(const path::MachineSpace& machine, const motion::PlannerSetup& setup,
                const cell::ClearWay& bodies, Origin origin, bool turns)
         : machine_(&machine), setup_(&setup), bodies_(&bodies), origin_(std::move(origin)), turns_(turns) {}
@@ -31,25 +31,26 @@ class RapidSpace {
     const path::MachineSpace& machine() const { return *machine_; }
     const cell::Cell& cell() const { return bodies_->cell(); }
 
-    /// Straight in the axes, at an even pace.
+    /// Returns a move that is straight in the axes, at constant speed.
     motion::Segment straight(const AxisValues& from, const AxisValues& to) const;
-    /// A rapid from rest to rest as the controller makes it: in proportion, or each axis by itself.
+    /// Returns a rapid from standstill to standstill as the controller makes it: axes in proportion, or each
+    /// axis independently.
     motion::Segment rapid(const AxisValues& from, const AxisValues& to) const;
     std::optional<cell::Obstacle> obstacle(const AxisValues& from, const AxisValues& to,
                                            double clearance_mm) const;
     std::optional<cell::Obstacle> obstacle_at(const AxisValues& axes, double clearance_mm) const;
     const Origin& origin() const { return origin_; }
-    /// As programs give them.
+    /// Returns axis values in program coordinates.
     AxisValues in_program(const AxisValues& axes) const {
         return axes - shift_of(origin_, machine_->machine());
     }
-    /// Where the tip of the tool is, as programs give it.
+    /// Returns the position of the TCP in program coordinates.
     Eigen::Vector3d tip_mm(const AxisValues& axes) const { return machine_->tip(in_program(axes)); }
-    /// "(1, 2, 3): 'nozzle' touches 'clamp'": where the tip is, and what else.
+    /// Returns "(1, 2, 3): 'nozzle' touches 'clamp'": the position of the TCP, and the contact.
     std::string told(const AxisValues& axes, const cell::ItemPair& items) const;
 
-    /// A way from one place to the other that keeps so far away from all bodies: straight, or up, over and
-    /// down, as low as it goes, or as search_way() finds it. Both places have to be that far away.
+    /// Returns a path between the positions that keeps this clearance to all bodies: straight, or up, over
+    /// and down as low as possible, or as search_way() finds it. Both positions must have this clearance.
     std::optional<Way> find(const AxisValues& from, const AxisValues& to, double clearance_mm) const;
 
   private:

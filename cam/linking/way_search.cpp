@@ -11,21 +11,21 @@ namespace gsim::transit {
 
 namespace {
 
-// What programs can say of a node.
+// Resolution of a node in programs.
 constexpr double kGrid = 1e-3;
-// From the box about both ends on, the space that is searched grows by this share of the ranges in each of
-// so many samples.
+// Number of samples in which the search space, starting from the box about both ends, grows by the full axis
+// ranges.
 constexpr int kGrowth = 60;
 constexpr double kFirstShare = 0.02;
 // A branch that is not clear is tried at a half, a quarter, an eighth of its length.
 constexpr std::array<double, 4> kShares{1, 0.5, 0.25, 0.125};
 constexpr int kShortcuts = 100;
-// Of so many searches the quickest way counts.
+// Number of searches; the fastest path counts.
 constexpr std::uint32_t kSearches = 6;
-// After so many that found nothing there is none.
+// Number of failed searches after which the search ends.
 constexpr std::uint32_t kVainSearches = 3;
-// But for every third of these, an axis of a sample is where it is at one of the ends, with this chance: much
-// need not move at all. That finds quicker ways, but does not come through all narrow places.
+// In all but every third search, an axis of a sample stays at its value of one of the ends with this
+// probability: many axes need not move. That finds faster paths, but does not pass all narrow gaps.
 constexpr double kStays = 0.4;
 
 double on_grid(double value) {
@@ -36,7 +36,7 @@ AxisValues on_grid(const AxisValues& node) {
     return node.unaryExpr([](double value) { return on_grid(value); });
 }
 
-// The same numbers with any library, which distributions of the standard do not promise.
+// Random numbers that are the same with any library; the distributions of the standard do not guarantee that.
 class Numbers {
   public:
     explicit Numbers(std::uint32_t seed) : engine_(seed) {}
@@ -72,7 +72,7 @@ class Tree {
         parents_.push_back(parent);
         return nodes_.size() - 1;
     }
-    /// From the root to a node, both included.
+    /// Returns the nodes from the root to a node, both included.
     Way way_to(std::size_t node) const {
         Way way{nodes_[node]};
         for (; node != 0; node = parents_[node]) way.push_back(nodes_[parents_[node]]);
@@ -144,7 +144,7 @@ class Search {
         return std::nullopt;
     }
 
-    // As far as it goes; the node where it has come there.
+    // Grows as far as possible; returns the node if it has arrived there.
     std::optional<std::size_t> connect(Tree& tree, const AxisValues& towards) {
         while (true) {
             const std::size_t near = tree.nearest(towards, space_.pace);
@@ -155,7 +155,7 @@ class Search {
         }
     }
 
-    // Both ways meet in one node.
+    // Both paths meet in one node.
     static Way joined(const std::array<Tree, 2>& trees, std::size_t of_first, std::size_t of_second) {
         Way way = trees[0].way_to(of_first);
         Way back = trees[1].way_to(of_second);
@@ -172,7 +172,7 @@ class Search {
     Numbers numbers_;
 };
 
-// Each node leads on to the last one that it can.
+// Connects each node to the last one that it can reach.
 Way without_needless(const WaySpace& space, const AxisValues& from, const Way& way) {
     Way kept;
     const AxisValues* at = &from;
@@ -186,7 +186,7 @@ Way without_needless(const WaySpace& space, const AxisValues& from, const Way& w
     return kept;
 }
 
-// A place on a way: on its stretch to a node.
+// A position on a path: on its section to a node.
 struct OnWay {
     std::size_t stretch;
     AxisValues at;
@@ -224,7 +224,7 @@ Way shortened(const WaySpace& space, const AxisValues& from, Way way) {
         shorter.push_back(b.at);
         shorter.insert(shorter.end(), way.begin() + static_cast<std::ptrdiff_t>(b.stretch), way.end());
         if (seconds_of(space, from, shorter) >= seconds_of(space, from, way)) continue;
-        // A place that was put on the grid is no longer quite on its stretch.
+        // A position that was rounded to the grid is no longer exactly on its section.
         if (space.is_clear(before, a.at) && space.is_clear(a.at, b.at) &&
             space.is_clear(b.at, way[b.stretch]))
             way = std::move(shorter);

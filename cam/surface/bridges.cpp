@@ -8,7 +8,7 @@ namespace gsim::surface {
 
 namespace {
 
-// A way by how far it has come along the edge.
+// A path by the distance along the edge.
 class Measured {
   public:
     explicit Measured(const std::vector<JetPoint>& way) : way_(way), at_mm_{0} {

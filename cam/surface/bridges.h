@@ -6,14 +6,14 @@
 
 namespace gsim::surface {
 
-/// Where a contour is left uncut so that what it goes round stays where it is.
+/// Uncut bridges of a contour that keep the enclosed material in position.
 struct Bridges {
-    int count = 0;        ///< Of each contour, at even distances, none where it begins.
-    double width_mm = 0;  ///< Of what stays, along the edge.
+    int count = 0;        ///< For each contour, equidistant, none at its start.
+    double width_mm = 0;  ///< Uncut length along the edge.
 };
 
-/// The pieces of a way between its bridges, in order; the whole way where there are none. Each bridge is as
-/// wide as it shall be and the jet besides. Empty where there is no room for so many.
+/// Returns the parts of a path between its bridges, in order; the complete path without bridges. Each gap is
+/// as long as the bridge width plus the jet's width. Returns nothing if the path is too short for so many.
 std::vector<std::vector<JetPoint>> pieces_between(const std::vector<JetPoint>& way, const Bridges& bridges,
                                                   double kerf_mm);
 

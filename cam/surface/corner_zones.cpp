@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortest_mm = 0.01;  // of a move
 
 struct CornerPlace {
-    double at_mm = 0;  // along the way
+    double at_mm = 0;  // along the path
     double turn_rad = 0;
 };
 
@@ -45,7 +45,7 @@ class CornerZones {
             if (corner_of(before.tangent, after.tangent, before.normal) != Corner::closes) continue;
             const double turn_rad = angle_between_rad(before.tangent, after.tangent);
             corners_.push_back({at_mm_[i], turn_rad});
-            // The end of the way is its begin.
+            // The end of the path is its beginning.
             if (i + 1 == points_.size()) corners_.push_back({0, turn_rad});
         }
     }

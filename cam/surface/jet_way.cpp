@@ -24,7 +24,7 @@ using EdgeWay = std::vector<JetPoint>;
 constexpr double kSmooth_rad = 1.5 * kRadPerDeg;    // a turn that is no corner
 constexpr double kCornerStep_rad = 5 * kRadPerDeg;  // of the jet about a corner
 constexpr double kSame_mm = 1e-7;
-constexpr double kFarKerfs = 20;  // from a lower corner to where the jet comes no nearer
+constexpr double kFarKerfs = 20;  // max distance of the jet from a lower corner
 constexpr double kSame = 1e-9;
 
 JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetShape& jet,
@@ -39,7 +39,7 @@ JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetSha
     if (choice.along_walls) {
         at.aside = vector_of(point.wall_normal);
         at.axis = -vector_of(point.along_wall);
-        // A tilt within the wall's plane leaves the wall as it is.
+        // A tilt within the wall's plane does not change the wall.
         if (tilt != 0) at.axis = std::cos(tilt) * at.axis + std::sin(tilt) * across(at.tangent, at.axis);
     } else {
         const double lean = choice.lean_deg * kRadPerDeg;
@@ -59,7 +59,7 @@ JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetSha
     return at;
 }
 
-// Where two segments of the plane cross, as shares of both.
+// Returns the intersection of two segments of the plane, as shares of both.
 std::optional<std::pair<double, double>> crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                                                   const Eigen::Vector2d& c, const Eigen::Vector2d& d) {
     const Eigen::Vector2d along = b - a;
@@ -111,7 +111,7 @@ class WayMaker {
         return {};
     }
 
-    // A contour of one edge becomes one of two, so that it has corners between different edges.
+    // Splits a contour of one edge into two edges, so that it has corners between different edges.
     void split_single() {
         EdgeWay& only = edges_.front();
         const auto half = static_cast<std::ptrdiff_t>(only.size() / 2);
@@ -143,14 +143,14 @@ class WayMaker {
         return {};
     }
 
-    // Whether the jet at the end of one edge takes of the lower edge of the other.
+    // Returns true if the jet at the end of one edge cuts into the lower edge of the other.
     bool takes_below(const EdgeWay& before, const EdgeWay& after) const {
         const double least_mm = jet_.kerf_mm / 2 - kMayTake_mm;
         return low_distance_mm(before.back(), after) < least_mm ||
                low_distance_mm(after.front(), before) < least_mm;
     }
 
-    // From the jet's middle to a lower edge, across the jet.
+    // Returns the distance from the jet's center to a lower edge, across the jet.
     double low_distance_mm(const JetPoint& at, const EdgeWay& edge) const {
         const Vector middle = middle_of(at, jet_);
         double nearest = std::numeric_limits<double>::infinity();
@@ -168,7 +168,8 @@ class WayMaker {
         return nearest;
     }
 
-    // Where the lower end of the jet stays, as both edges come too near to it behind that.
+    // Returns the position at which the lower end of the jet stays, because both edges come too near to it
+    // after that.
     std::optional<Vector> stay_below(EdgeWay& before, EdgeWay& after, const JetPoint& end,
                                      const JetPoint& start) {
         auto place = trim_below(before, after, end.low_mm);
@@ -213,11 +214,11 @@ class WayMaker {
     }
 
     struct Meeting {
-        std::size_t before = 0, after = 0;         // they cross behind these points
-        double before_share = 0, after_share = 0;  // of the way to the next one
+        std::size_t before = 0, after = 0;         // they cross after these points
+        double before_share = 0, after_share = 0;  // of the path to the next one
     };
 
-    // Where two ways cross, seen along the jet, as near to the end of the first as can be.
+    // Returns the intersection of two paths, seen along the jet, as near to the end of the first as possible.
     template <typename MiddleOf>
     static std::optional<Meeting> meeting(const EdgeWay& before, const EdgeWay& after,
                                           MiddleOf middle_of_point) {
@@ -239,7 +240,7 @@ class WayMaker {
         return std::nullopt;
     }
 
-    // Cuts both off where their ways cross.
+    // Trims both paths at their intersection.
     bool trim(EdgeWay& before, EdgeWay& after) const {
         const auto found = meeting(before, after, [this](const JetPoint& at) { return middle_of(at, jet_); });
         if (!found) return false;
@@ -252,8 +253,8 @@ class WayMaker {
         return true;
     }
 
-    // Where the ways of the lower ends cross, near to their corner, the jet stays while its upper end goes
-    // on.
+    // At the intersection of the paths of the lower ends, near their corner, the lower end of the jet stays
+    // while its upper end moves on.
     std::optional<Vector> trim_below(EdgeWay& before, EdgeWay& after, const Vector& corner_mm) const {
         const auto found =
             meeting(before, after, [this](const JetPoint& at) { return low_middle_of(at, jet_); });
@@ -271,7 +272,7 @@ class WayMaker {
         return place;
     }
 
-    // Beside a bend that is narrower than the jet its way turns back.
+    // The jet's path reverses at a curvature radius that is smaller than half of the kerf.
     tl::expected<void, std::string> check_bends() const {
         for (const EdgeWay& way : edges_) {
             for (std::size_t i = 1; i < way.size(); ++i) {
@@ -317,7 +318,7 @@ class WayMaker {
     const JetShape& jet_;
     const JetChoice& choice_;
     std::vector<EdgeWay> edges_;
-    std::vector<EdgeWay> corners_;  // behind each edge
+    std::vector<EdgeWay> corners_;  // after each edge
     std::vector<LowCorner> low_corners_;
 };
 

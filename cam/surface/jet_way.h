@@ -9,35 +9,36 @@
 
 namespace gsim::surface {
 
-/// Which way the jet goes.
+/// Options for the direction of the jet.
 struct JetChoice {
     bool along_walls = true;   ///< Else along the face's normal, leaned by `lean_deg`.
     double lean_deg = 0;       ///< Sideways from the normal; above 0 the part is smaller below.
-    double tilt_deg = 0;       ///< Forwards: the nozzle goes ahead of where it cuts.
+    double tilt_deg = 0;       ///< Forwards: the nozzle is ahead of the cut.
     double max_lean_deg = 60;  ///< From the face's normal.
 
-    /// Whether it goes beside the upper and the lower edge of each wall.
+    /// Returns true if it touches the upper and the lower edge of each wall.
     bool touches_both() const { return along_walls && tilt_deg == 0; }
 };
 
-/// The jet's way round a contour, or along an open one from end to end: half of its width beside the edges,
-/// about corners that open, trimmed where they close. The error is a sentence: an edge where the jet would
-/// lean too much or go up, a bend or corner that is narrower than the jet.
+/// Returns the jet's path round a contour, or along an open one from end to end. It is offset by half of its
+/// width from the edges, runs around corners that open, and is trimmed at corners that close. The error is a
+/// message: an edge at which the jet would tilt too much or point up, or a curve or corner that is narrower
+/// than the jet.
 tl::expected<JetWay, std::string> jet_way(const solid::WallContour& contour, const JetShape& jet,
                                           const JetChoice& choice);
 
-/// How a way with material to its left turns from one direction to another about an axis: out of the room
-/// that it has, so that the jet has to turn about the corner, or into it.
+/// Direction in which a path with material to its left turns about an axis: outwards, so that the jet has to
+/// turn about the corner, or inwards.
 enum class Corner { none, opens, closes };
 Corner corner_of(const Vector& end, const Vector& start, const Vector& about);
 
-/// Between two directions.
+/// Returns the angle between two directions.
 double angle_between_rad(const Vector& a, const Vector& b);
 
-/// A share of the way from one point to the next.
+/// Returns the point at a share of the path from one point to the next.
 JetPoint between(const JetPoint& a, const JetPoint& b, double share);
 
-/// "(1, 2, 3)"
+/// Returns "(1, 2, 3)".
 std::string shown(const Vector& place);
 
 }  // namespace gsim::surface

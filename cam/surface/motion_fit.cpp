@@ -36,8 +36,8 @@ std::optional<Circle> circle_through(const Vector& a, const Vector& b, const Vec
     return Circle{a + off, normal / std::sqrt(size), off.norm()};
 }
 
-// Whether an axis that turns about the vertical and from it in proportion is off the straight turn between
-// two points.
+// Returns true if an axis that turns in proportion about the vertical and away from it deviates from the
+// straight turn between two points.
 bool swings(const JetPoint& a, const JetPoint& b, double off_mm) {
     const double first_lean = lean_rad(a.axis);
     const double last_lean = lean_rad(b.axis);
@@ -61,7 +61,7 @@ void add_between(const JetPoint& a, const JetPoint& b, double off_mm, int depth,
     points.push_back(b);
 }
 
-// Near the upright the turn about the vertical is fast: there points have to be closer to each other.
+// Adds points near the upright orientation, because the turn about the vertical is fast there.
 std::vector<JetPoint> close_near_upright(std::span<const JetPoint> points, double off_mm) {
     std::vector<JetPoint> close;
     if (points.empty()) return close;
@@ -102,7 +102,7 @@ class MoveFitter {
                                           : way_mm_.back() + (tips_.back() - tips_[tips_.size() - 2]).norm());
     }
 
-    // The last point that one move leads to, found by doubling and halving.
+    // Returns the last point that one move can reach, found by doubling and halving.
     std::size_t farthest(std::size_t from) const {
         std::size_t good = from + 1;
         if (way_mm_[good] - way_mm_[from] < kStands_mm) return good;
@@ -167,7 +167,7 @@ class MoveFitter {
         return circle;
     }
 
-    // Half way on the arc, on the side of its points.
+    // Returns the midpoint of the arc, on the side of its points.
     Vector half_way(const Circle& circle, std::size_t from, std::size_t to) const {
         const Vector begin = tips_[from] - circle.center;
         Vector out = (begin + tips_[to] - circle.center);

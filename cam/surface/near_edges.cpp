@@ -8,7 +8,7 @@ namespace gsim::surface {
 
 namespace {
 
-constexpr double kKerfShare = 0.25;  // how far places of an edge are from each other
+constexpr double kKerfShare = 0.25;  // distance between positions of an edge
 constexpr std::size_t kGroupPlaces = 64;
 
 Vector place_of(const solid::WallPoint& point, WallEnd end) {

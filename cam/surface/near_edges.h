@@ -9,23 +9,23 @@
 
 namespace gsim::surface {
 
-/// Which edges of walls: where the jet enters, or where it leaves.
+/// Edges of walls: at the jet's entry or at its exit.
 enum class WallEnd { upper, lower };
 
-/// All edges of what is cut, to be asked how near a jet comes to them, and others of the part.
+/// All edges to be cut, and others of the part, for queries of their distance to a jet.
 class NearEdges {
   public:
     NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet,
               WallEnd which = WallEnd::upper, std::span<const solid::PartEdge> others = {});
 
-    /// A place of a part, and how far the jet's middle is from it.
+    /// A position of a part, and the distance of the jet's center from it.
     struct Nearest {
         double distance_mm = 0;
         Vector place = Vector::Zero();
         std::string edge = {};
     };
-    /// The nearest place of an edge to the jet whose middle goes through a point, between its tip and its
-    /// exit.
+    /// Returns the nearest position of an edge to the jet whose center passes through a point, between its
+    /// TCP and its exit.
     Nearest nearest(const Vector& middle, const Vector& axis, double depth_mm) const;
 
   private:

@@ -16,7 +16,8 @@ constexpr int kProbes = 9;
 constexpr double kProbesOfKerf = 4;  // of a straight lead
 constexpr int kMostStarts = 24;
 
-// Of a quarter circle that ends on the way: off it by `turn` of its radius's sweep, back against the way.
+// Returns a point of a quarter circle that ends on the path: the offset after `turn` of its sweep, back
+// against the path.
 Vector off_way(const JetPoint& at, double radius_mm, double turn, double sense) {
     const Vector waste = at.tangent.cross(at.normal).normalized();
     return radius_mm * ((1 - std::cos(turn)) * waste + sense * std::sin(turn) * at.tangent);
@@ -33,7 +34,7 @@ bool is_clear(const JetPoint& at, const JetShape& jet, const NearEdges& edges, d
     return true;
 }
 
-// Points in the middle of long stretches, the longest first.
+// Returns points in the middle of long sections, the longest first.
 std::vector<std::size_t> starts_of(const std::vector<JetPoint>& points) {
     std::vector<std::pair<double, std::size_t>> stretches;
     for (std::size_t begin = 0; begin + 1 < points.size();) {
@@ -73,7 +74,7 @@ Leads::Lead quarter(const JetPoint& at, const JetShape& jet, double radius_mm, d
             tip + off_way(at, radius_mm, std::numbers::pi / 4, sense)};
 }
 
-// Beyond an end of an open way, along its tangent.
+// Returns a lead past an end of an open path, along its tangent.
 std::optional<Leads::Lead> straight(const JetPoint& at, const JetShape& jet, const NearEdges& edges,
                                     double length_mm, double sense) {
     const Vector along = sense * length_mm * at.tangent;

@@ -8,21 +8,22 @@
 
 namespace gsim::surface {
 
-/// Into a way at its first point and out of it at its last one, through the waste. The jet keeps the
-/// direction that it has there.
+/// Leads into a path at its first point and out of it at its last one, through the waste. The jet keeps its
+/// direction there.
 struct Leads {
-    /// Of the tip: where it begins or ends, and half way on a quarter circle; without that it goes straight.
+    /// Path of the TCP: its outer end, and the midpoint of a quarter circle; without that it is straight.
     struct Lead {
         Vector far_mm;
         std::optional<Vector> via_mm;
     };
-    std::optional<Lead> in, out;  ///< None where there is no room; both at a closed way.
-    double length_mm = 0;         ///< Of each.
+    std::optional<Lead> in, out;  ///< None without enough space; both for a closed path.
+    double length_mm = 0;         ///< Length of each.
 };
 
-/// Turns a closed way so that it begins where leads have most room, and gives them: quarter circles as large
-/// as `radius_mm`, or a half or a quarter of it and so on. Those of an open way go straight on beyond its
-/// ends, that far. Nothing where there is no room, then the jet pierces on the contour.
+/// Rotates a closed path so that it begins at the position with the most space for leads, and returns them:
+/// quarter circles with the radius `radius_mm`, or a half or a quarter of it and so on. Leads of an open path
+/// continue straight past its ends, by this length. Returns nothing if the space is too small; then the jet
+/// pierces on the contour.
 std::optional<Leads> find_leads(JetWay& way, const JetShape& jet, const NearEdges& edges, double radius_mm);
 
 }  // namespace gsim::surface

@@ -21,11 +21,11 @@ namespace {
 using Fault = tl::unexpected<std::string>;
 
 constexpr double kLeadKerfs = 3;
-constexpr double kTold_mm = 0.02;     // of material at a lower edge that is taken or stays
+constexpr double kTold_mm = 0.02;     // of material removed or left at a lower edge
 constexpr double kInto_mm = 0.03;     // how far a jet may come into an edge
-constexpr double kWallTolerance = 3;  // of the wall's lower end, by that of the tip
+constexpr double kWallTolerance = 3;  // factor of the wall's lower end, relative to the TCP
 
-// Holes first, outlines last, and of each the nearest next one.
+// Sorts holes first, outlines last, and within each the nearest next one.
 std::vector<SurfaceCut> in_order(std::vector<SurfaceCut> cuts, const JetShape& jet, Vector at) {
     std::vector<SurfaceCut> ordered;
     while (!cuts.empty()) {
@@ -134,7 +134,8 @@ class PathMaker {
         }
     }
 
-    // A jet beside both edges of a wall may come into what bends more than it is wide.
+    // A jet that touches both edges of a wall may cut into a lower edge that is curved more tightly than its
+    // width.
     void tell_taken(const std::vector<JetWay>& ways) {
         const NearEdges edges(part_.contours, jet_, WallEnd::lower);
         double most_mm = kTold_mm;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kStandsStill_mm = 1e-6;
 constexpr double kUprightAxis = 1 - 1e-8;
-// The tip's feed as a share of that along the edge: beyond these it is not the edge that counts.
+// Limit for the TCP's feed as a share of the feed along the edge; past these limits the edge no longer
+// counts.
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 5;
 
@@ -60,7 +61,8 @@ class CutWriter {
 
     double safe_z() const { return options_.part_top_mm + options_.safe_height_mm; }
 
-    // Away from the part along the axis, and straight up from there.
+    // Returns the position away from the part along the axis; `above` also the position straight up from
+    // there.
     Vector away(const Vector& tip, const Vector& axis) const { return tip + options_.safe_height_mm * axis; }
     Vector above(const Vector& tip, const Vector& axis) const {
         Vector up = axis.z() > kUprightAxis ? tip : away(tip, axis);
@@ -83,7 +85,7 @@ class CutWriter {
         wait.dwell_s = rules_.pierce_s;
     }
 
-    // From one side of a bridge to the other, off the part.
+    // Moves from one side of a bridge to the other, off the part.
     void step_over(const JetPoint& from, const JetPoint& to) {
         last_point().actions = {"abrasive_off", "waterjet_off"};
         add_point(MotionType::rapid, away(tip_of(from, options_.jet), from.axis));
@@ -101,7 +103,7 @@ class CutWriter {
         return rules_.feed_on_arc_mm_min ? rules_.feed_on_arc_mm_min(radius_mm) : rules_.speed_mm_min;
     }
 
-    // Where a jet leans it has more of the material to go through.
+    // A tilted jet has more material to cut through.
     double depth_share(double depth_mm) const {
         if (!rules_.speed_at_depth_mm_min || depth_mm <= 0) return 1;
         return rules_.speed_at_depth_mm_min(depth_mm) / rules_.speed_mm_min;
@@ -139,7 +141,7 @@ class CutWriter {
         count(move.tip_mm, *point.feed_mm_min, rules_.speed_mm_min * depth_share(move.depth_mm) * of_tip);
     }
 
-    // `straight_mm_min`: what the feed is where nothing bends.
+    // `straight_mm_min`: the feed on a straight line.
     void count(double mm, double feed_mm_min, double straight_mm_min) {
         summary_.cut_mm += mm;
         summary_.cut_s += kSecondsPerMinute * mm / feed_mm_min;

@@ -12,11 +12,11 @@
 
 namespace gsim::surface {
 
-/// A way with its leads, ready to be cut.
+/// A path with its leads, ready to be cut.
 struct SurfaceCut {
     JetWay way;
-    std::optional<Leads> leads;                      ///< None where there is no room.
-    std::vector<std::vector<JetPoint>> pieces = {};  ///< Of the way, between bridges.
+    std::optional<Leads> leads;                      ///< None without enough space.
+    std::vector<std::vector<JetPoint>> pieces = {};  ///< Parts of the path between bridges.
 
     Vector pierce(const JetShape& jet) const {
         return leads && leads->in ? leads->in->far_mm : tip_of(way.points.front(), jet);
@@ -33,14 +33,14 @@ struct SurfaceProgramOptions {
     FitTolerance tolerance;
     double safe_height_mm = 25;         ///< Over the part, and away from it along the axis.
     double part_top_mm = 0;             ///< The part's highest point, in its own frame.
-    Vector origin_mm = Vector::Zero();  ///< Where the part's origin lies in the work frame.
-    std::optional<Vector> start_mm;     ///< In the work frame: where the program begins and ends.
-    double turn_feed_deg_min = 3600;    ///< Where the tool turns on the spot.
+    Vector origin_mm = Vector::Zero();  ///< Position of the part's origin in the work frame.
+    std::optional<Vector> start_mm;     ///< In the work frame: start and end of the program.
+    double turn_feed_deg_min = 3600;    ///< For turns at a fixed position.
 };
 
-/// The program that makes the cuts in their order, a path for each: over the part at the safe height, down,
-/// along the axis to the pierce, jet and abrasive on, pierce time, lead-in, contour, lead-out, off, and back
-/// the same way. Adds up what it cuts.
+/// Returns the program that makes the cuts in their order, a path for each: over the part at the safe height,
+/// down, along the axis to the pierce, jet and abrasive on, pierce time, lead-in, contour, lead-out, off, and
+/// back on the same path. Adds the cuts to `summary`.
 path::Program surface_program(std::span<const SurfaceCut> cuts, const cutting::CutRules& rules,
                               const SurfaceProgramOptions& options, cutting::CutSummary& summary);
 

@@ -14,7 +14,8 @@ bool is_upright(const JetPoint& at) {
     return lean_rad(at.axis) < kUpright_deg * kRadPerDeg;
 }
 
-// To where the axis leans as it comes to the upright from `near` and, before that, from `far`.
+// Returns the direction of the axis tilt as it approaches the upright orientation from `near` and, before
+// that, from `far`.
 double azimuth_beside(const JetPoint& upright, const JetPoint& near, const JetPoint* far) {
     const double first = azimuth_rad(near.axis);
     if (far == nullptr || is_upright(*far)) return first;

@@ -6,15 +6,15 @@
 
 namespace gsim::surface {
 
-/// Where the jet stands upright any turn about the vertical will do, and a machine with an axis for it would
-/// come out of there with the wrong one. So an upright point beside leaning ones leans by a hair to where
-/// they lean (kHair_deg); where it has to be two ways it becomes two points, and the machine turns on the
-/// spot.
+/// Adjusts upright points. If the jet is upright, any turn about the vertical is possible. A machine with an
+/// axis for it would leave the point with the wrong one. So an upright point next to tilted ones gets a
+/// minimal tilt in their direction (kHair_deg). If it needs two directions it becomes two points, and the
+/// machine turns at a fixed position.
 void settle_upright(std::vector<JetPoint>& points);
 
 inline constexpr double kHair_deg = 0.005;
 
-/// To where an axis leans, about the vertical; its lean from there.
+/// Returns the direction of an axis tilt, about the vertical; `lean_rad` its tilt from there.
 double azimuth_rad(const Vector& axis);
 double lean_rad(const Vector& axis);
 Vector axis_of(double azimuth_rad, double lean_rad);

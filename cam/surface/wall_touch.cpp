@@ -6,10 +6,10 @@ namespace gsim::surface {
 
 namespace {
 
-// The axis turns by half of the kerf over the wall's depth at most, so that few steps are enough.
+// The axis turns by at most half of the kerf over the wall's depth, so few steps are enough.
 constexpr int kSteps = 6;
 
-// From here on a jet stands beside both edges.
+// From here on a jet touches both edges.
 constexpr double kTakesNothing_mm = 0.03;
 
 }  // namespace

@@ -4,22 +4,23 @@
 
 namespace gsim::surface {
 
-/// What a jet along a wall may take of its lower edge, in mm, before it leaves the wall's lines for that.
+/// Max depth, in mm, that a jet along a wall may cut into its lower edge before it leaves the wall's lines
+/// for that.
 inline constexpr double kMayTake_mm = 0.02;
 
-/// The part of a direction across another one, of length 1.
+/// Returns the component of a direction across another one, of length 1.
 Vector across(const Vector& direction, const Vector& axis);
 
-/// Leads the axis beside the upper and the lower edge of a wall, half of the jet's width off both, where the
-/// normals of the wall are `at.aside` and `at.low_aside` at first. They are another where the wall is
-/// twisted; the axis then is no line of the wall.
+/// Moves the axis so that the jet touches the upper and the lower edge of a wall, offset by half of its width
+/// from both. `at.aside` and `at.low_aside` are the wall's normals there at first. They differ if the wall is
+/// twisted; the axis is then not a line of the wall.
 void touch_both(JetPoint& at, const JetShape& jet);
 
-/// The same where a jet along the wall, as `at` is, would take more than hundredths of its lower edge. So it
-/// comes upright where walls do, and rotary axes need not turn for less.
+/// Does the same if a jet along the wall, as in `at`, would cut more than hundredths into its lower edge. So
+/// the jet is upright if walls are, and rotary axes need not turn for less.
 void touch_twisted(JetPoint& at, const JetShape& jet);
 
-/// Leads the lower end of the jet through a place, its upper end beside the edge as before.
+/// Moves the lower end of the jet to a position; its upper end touches the edge as before.
 void aim_low(JetPoint& at, const Vector& low_middle_mm, const JetShape& jet);
 
 }  // namespace gsim::surface

@@ -14,7 +14,7 @@ namespace gsim::waterjet {
 
 namespace {
 
-// Usual ranges (thesis, 2.5 and 2.5.1); outside of them the equation has not been tried.
+// Usual ranges (thesis, 2.5 and 2.5.1); outside of them the equation has not been tested.
 constexpr ValueRange kUsualPressure{"pressure_mpa", 170, 415};
 constexpr ValueRange kUsualOrifice{"orifice_mm", 0.076, 0.89};
 
@@ -89,7 +89,7 @@ void settle_speeds(Settlement& settlement, const CuttingRequest& request, Cuttin
         });
 }
 
-/// A time that is given is that of the pierce that is asked for.
+/// A given time is that of the requested kind of pierce.
 void settle_pierce(Settlement& settlement, const PierceRule& rule, const CuttingRequest& request,
                    CuttingPlan& plan) {
     plan.pierce_s = settlement.settle("pierce", "s", request.pierce_s, std::nullopt, [&] {

@@ -12,11 +12,11 @@
 
 namespace gsim::waterjet {
 
-/// What is to be cut. Whatever is left out comes from the materials file or is inferred.
+/// The cutting task. Missing values come from the materials file or are inferred.
 struct CuttingRequest {
     std::string material;
     double thickness_mm = 0;
-    std::string thickness_basis;    ///< From what it was inferred; empty where it was given.
+    std::string thickness_basis;    ///< Source of the inference; empty if it was given.
     std::optional<double> quality;  ///< 1 (just through) .. 5 (finest edge)
     std::optional<double> pressure_mpa;
     std::optional<double> orifice_mm;
@@ -28,7 +28,7 @@ struct CuttingRequest {
     bool moving_pierce = false;  ///< The nozzle moves meanwhile; pierce_s is of that, too.
 };
 
-/// How it is cut.
+/// The resolved cutting parameters.
 struct CuttingPlan {
     std::string material;
     double thickness_mm = 0;
@@ -40,39 +40,41 @@ struct CuttingPlan {
     double separation_speed_mm_min = 0;  ///< At which the jet just comes through.
     double kerf_mm = 0;                  ///< At the entry: the tool path lies half of it off the contour.
     double exit_kerf_mm = 0;
-    double pierce_s = 0;                    ///< For each pierce, with the nozzle at rest.
-    std::optional<double> moving_pierce_s;  ///< While it moves; none where that was not asked for.
+    double pierce_s = 0;                    ///< For each pierce, with the nozzle at standstill.
+    std::optional<double> moving_pierce_s;  ///< While it moves; none if not requested.
     double taper_mm = 0;                    ///< By which each side closes at the cutting speed.
     double lag_mm = 0;                      ///< At the cutting speed.
-    double contour_error_mm = 0;            ///< What of the lag may show.
+    double contour_error_mm = 0;            ///< Visible share of the lag.
     LagRule lag;                            ///< By which curves and corners are slower.
     KerfRule kerf;                          ///< By which sides lean.
     std::vector<SettledValue> values;       ///< In the order in which they were settled.
-    std::vector<std::string> warnings;      ///< Sentences.
+    std::vector<std::string> warnings;      ///< Messages.
 };
 
-/// Settles every value. The error is a sentence: an unknown material, a value out of range, a mixing tube
-/// that is not wider than its orifice.
+/// Settles every value. The error is a message: an unknown material, a value out of range, a mixing tube that
+/// is not wider than its orifice.
 tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
                                                     const CuttingRequest& request);
 
-/// The feed on an arc of the tool path, in mm/min: the cutting speed, or as much less as keeps the jet's lag
-/// within the contour's error. `radius_mm` <= 0 or NaN counts as 0, infinity is a straight line.
+/// Returns the feed on an arc of the tool path, in mm/min: the cutting speed, reduced as far as necessary to
+/// keep the jet's lag within the contour's error. `radius_mm` <= 0 or NaN counts as 0, infinity is a straight
+/// line.
 double feed_for_radius_mm_min(const CuttingPlan& plan, double radius_mm);
 
-/// The feed in a corner where the direction of the tool path turns by `turn_rad`, of either sign (0: straight
-/// on, pi: back), in mm/min. It holds for corner_zone_mm() before the corner and behind it.
+/// Returns the feed in a corner at which the direction of the tool path turns by `turn_rad`, of either sign
+/// (0: straight on, pi: back), in mm/min. It is valid for corner_zone_mm() before and after the corner.
 double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad);
 
-/// How long before a corner and behind it the jet's exit has not come round it: the lag at the cutting speed.
+/// Returns the distance before and after a corner within which the jet's exit has not passed it: the lag at
+/// the cutting speed.
 double corner_zone_mm(const CuttingPlan& plan);
 
-/// The feed on a straight line where the jet has this much of the material to go through, as a jet has that
-/// leans: the cutting speed at the plan's thickness, else by the cutting equation. `thickness_mm` > 0.
+/// Returns the feed on a straight line if the jet has to pass this much of the material, as a tilted jet
+/// does: the cutting speed at the plan's thickness, else by the cutting equation. `thickness_mm` > 0.
 double speed_at_thickness_mm_min(const CuttingPlan& plan, double thickness_mm);
 
-/// How far the jet has to lean over the waste, in deg, so that the side of the part gets straight that is cut
-/// at that feed: by what the kerf closes over the thickness.
+/// Returns the tilt of the jet over the waste, in deg, that makes the side of the part straight when it is
+/// cut at that feed. It compensates the narrowing of the kerf over the thickness.
 double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min);
 
 }  // namespace gsim::waterjet

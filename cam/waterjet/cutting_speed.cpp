@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSpeedConstant = 788;  // in MPa, mm, g/min and mm/min; 163 in kpsi, in, lb/min and in/min
 
-// What stands in the brackets for a machinability of 1, a thickness of 1 mm and a quality of 1.
+// Returns the value in the brackets for a machinability of 1, a thickness of 1 mm and a quality of 1.
 double jet_strength(const JetSetting& jet) {
     return jet.abrasive_factor * std::pow(jet.pressure_mpa, 1.594) * std::pow(jet.orifice_mm, 1.374) *
            std::pow(jet.abrasive_g_min, 0.343) / (kSpeedConstant * std::pow(jet.mixing_tube_mm, 0.618));

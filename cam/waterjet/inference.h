@@ -9,37 +9,37 @@
 namespace gsim::waterjet {
 
 enum class Origin {
-    given,      ///< By whoever asked for the plan.
-    from_file,  ///< It stands in the materials file.
+    given,      ///< In the request for the plan.
+    from_file,  ///< In the materials file.
     inferred,   ///< From other values, by a rule.
 };
 
-/// "given", "file", "inferred".
+/// Returns "given", "file" or "inferred".
 std::string_view origin_name(Origin origin);
 
-/// A value of a plan and where it comes from.
+/// A value of a plan and its source.
 struct SettledValue {
     std::string_view name;  ///< As the option or key is called.
-    std::string_view unit;  ///< Empty where there is none.
+    std::string_view unit;  ///< Empty without a unit.
     double value = 0;
     Origin origin = Origin::given;
-    std::string basis;  ///< From what it was inferred, or the file's own source; may be empty.
+    std::string basis;  ///< Source of the inference, or the file's own source; may be empty.
 };
 
-/// What a rule makes of other values, and the words for that.
+/// The result of a rule from other values, and its description.
 struct Inferred {
     double value = 0;
     std::string basis;
 };
 
-/// Settles values one by one, from the best source that there is, and keeps the list.
+/// A list that settles values one by one, from the best available source.
 class Settlement {
   public:
     double given(std::string_view name, std::string_view unit, double value);
     double from_file(std::string_view name, std::string_view unit, double value, std::string basis);
     double inferred(std::string_view name, std::string_view unit, Inferred value);
 
-    /// What was given; else what the file has; else what the rule `infer()` makes of others.
+    /// Returns the given value; else that of the file; else the result of the rule `infer()` from others.
     template <typename Rule>
     double settle(std::string_view name, std::string_view unit, const std::optional<double>& asked,
                   const std::optional<double>& file_value, Rule infer) {

@@ -4,13 +4,13 @@
 
 namespace gsim::waterjet {
 
-/// How far the jet trails behind the nozzle, and how much of that may show in the contour. These are rules of
-/// this project with numbers that a shop sets (docs/waterjet.md); no published ones were at hand.
+/// Jet lag after the nozzle, and the share of it that may be visible in the contour. These are rules of this
+/// project with numbers that a shop sets (docs/waterjet.md); no published ones were at hand.
 struct LagRule {
-    double lag_to_thickness = 0;               ///< Of a cut at the separation speed.
-    double exponent = 0;                       ///< The lag goes with this power of the speed; > 0.
+    double lag_to_thickness = 0;               ///< Lag of a cut at the separation speed.
+    double exponent = 0;                       ///< The lag is proportional to this power of the speed; > 0.
     std::array<double, 5> contour_error_mm{};  ///< Allowed at the exit, for the qualities 1 .. 5.
-    double least_feed_share = 0;               ///< Of the cutting speed; no place is cut slower. 0 < .. <= 1
+    double least_feed_share = 0;               ///< Min share of the cutting speed anywhere. 0 < .. <= 1
 
     bool operator==(const LagRule&) const = default;
 };
@@ -21,22 +21,23 @@ struct LagState {
     double separation_speed_mm_min = 0;
 };
 
-/// How far the jet leaves the material behind where it enters, in mm.
+/// Returns the distance between the jet's entry and its exit, in mm.
 double lag_mm(const LagRule& rule, const LagState& cut, double speed_mm_min);
 
-/// The speed at which the jet lags by `lag_mm`: the inverse of the function above.
+/// Returns the speed at which the jet lags by `lag_mm`: the inverse of the function above.
 double speed_of_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm);
 
-/// The error that the rule allows at a quality of 1 .. 5; between whole ones it goes in a straight line.
+/// Returns the error that the rule allows at a quality of 1 .. 5; values between integers are interpolated
+/// linearly.
 double contour_error_mm(const LagRule& rule, double quality);
 
-/// The longest lag on an arc: a jet that trails by L along the tangent leaves a circle of radius R by
-/// sqrt(R^2 + L^2) - R, which shall be at most the error E, so L = sqrt((R + E)^2 - R^2).
+/// Returns the longest lag on an arc. A jet that lags by L along the tangent deviates from a circle of radius
+/// R by sqrt(R^2 + L^2) - R, which may be at most the error E, so L = sqrt((R + E)^2 - R^2).
 double lag_allowed_on_arc_mm(double radius_mm, double error_mm);
 
-/// The longest lag in a corner, where the direction turns by `turn_rad` (of either sign): the exit cuts the
-/// corner off from L before it to L behind it, by L sin(turn / 2), which shall be at most the error. Infinite
-/// where nothing turns; NaN counts as pi.
+/// Returns the longest lag in a corner, at which the direction turns by `turn_rad` (of either sign). The exit
+/// cuts the corner off from L before it to L after it, by L sin(turn / 2), which may be at most the error.
+/// Infinite without a turn; NaN counts as pi.
 double lag_allowed_in_corner_mm(double turn_rad, double error_mm);
 
 }  // namespace gsim::waterjet

@@ -9,14 +9,14 @@
 
 namespace gsim::waterjet {
 
-/// How much there is to do.
+/// Quantities of a job.
 struct JobQuantities {
     double cut_length_mm = 0;
     std::size_t pierces = 0;
-    std::size_t moving_pierces = 0;  ///< Of those.
-    /// Without it: the length at the cutting speed of straight lines.
+    std::size_t moving_pierces = 0;  ///< Part of pierces.
+    /// If missing: the length at the cutting speed of straight lines.
     std::optional<double> cut_time_s = std::nullopt;
-    double other_time_s = 0;  ///< Of the machine with the jet off: rapid moves, dwells.
+    double other_time_s = 0;  ///< Machine time with the jet off: rapid moves, dwells.
 };
 
 /// One line of the bill.
@@ -29,7 +29,7 @@ struct PriceItem {
     double cost() const { return quantity * unit_price; }
 };
 
-/// What a job takes and costs.
+/// Consumption and price of a job.
 struct JobPrice {
     double cut_length_mm = 0;
     std::size_t pierces = 0;
@@ -39,14 +39,14 @@ struct JobPrice {
     double machine_time_s = 0;  ///< And with the jet off.
     double water_l = 0;
     double abrasive_kg = 0;           ///< Through the nozzle; new and recycled.
-    double recycled_abrasive_kg = 0;  ///< Of that.
+    double recycled_abrasive_kg = 0;  ///< Part of it.
     double orifice_wear = 0;          ///< Share of an orifice that is used up.
     double mixing_tube_wear = 0;      ///< Share of a mixing tube that is used up.
     std::vector<PriceItem> items;
     double total = 0;
 };
 
-/// The price of a job that is cut by the plan. Quantities must be finite and >= 0.
+/// Returns the price of a job that is cut by the plan. Quantities must be finite and >= 0.
 JobPrice price_job(const CuttingPlan& plan, const PriceRule& prices, const JobQuantities& job);
 
 }  // namespace gsim::waterjet

@@ -8,13 +8,13 @@
 
 namespace gsim::waterjet {
 
-/// What accuracy takes of the time of cutting.
+/// Share of the cutting time that accuracy requires.
 struct AccuracyTimes {
     double slower_s = 0;                                   ///< In curves and corners.
-    std::optional<double> straightening_s = std::nullopt;  ///< Leaning against taper; none: that is not done.
+    std::optional<double> straightening_s = std::nullopt;  ///< Taper compensation; none: it is not done.
 };
 
-/// What a report is of.
+/// The contents of a report.
 struct JobReport {
     const CuttingPlan& plan;
     const JobPrice& price;
@@ -22,7 +22,7 @@ struct JobReport {
     const std::string& currency;
 };
 
-/// A table for people (docs/waterjet.md), with each value's source. Ends with a line break.
+/// Returns a table for people (docs/waterjet.md), with each value's source. It ends with a line break.
 std::string job_report_text(const JobReport& report);
 
 }  // namespace gsim::waterjet

@@ -47,7 +47,7 @@ void append_quantities(std::string& out, const JobPrice& price) {
                         price.abrasive_kg, price.recycled_abrasive_kg);
 }
 
-/// A time with the jet on, and what flows meanwhile.
+/// Returns a time with the jet on, and the flow during it.
 std::string jet_text(const CuttingPlan& plan, double time_s) {
     return fmt::format("{:>12.1f} s   {:.3f} kg of abrasive", time_s,
                        time_s / kSecondsPerMinute * plan.jet.abrasive_g_min / kGramsPerKg);

@@ -2,7 +2,7 @@
 
 namespace gsim::waterjet {
 
-/// How wide a cut is. Rules of this project with numbers that a shop sets (docs/waterjet.md).
+/// The width of a cut. Rules of this project with numbers that a shop sets (docs/waterjet.md).
 struct KerfRule {
     double width_to_tube = 0;  ///< Width at the entry, by the mixing tube's diameter; > 0.
     double taper_mm = 0;       ///< By which each side closes towards the exit at the separation speed; >= 0.
@@ -10,14 +10,15 @@ struct KerfRule {
     bool operator==(const KerfRule&) const = default;
 };
 
-/// At the entry, in mm.
+/// Returns the kerf at the entry, in mm.
 double kerf_mm(const KerfRule& rule, double mixing_tube_mm);
 
-/// By which each side closes towards the exit, in mm, at most half of the kerf: slower cuts have less taper,
-/// in proportion to the speed. `separation_share` is the speed as a share of the separation speed.
+/// Returns the narrowing of each side towards the exit, in mm, at most half of the kerf: slower cuts have
+/// less taper, in proportion to the speed. `separation_share` is the speed as a share of the separation
+/// speed.
 double taper_mm(const KerfRule& rule, double kerf_mm, double separation_share);
 
-/// At the exit, in mm, never below 0.
+/// Returns the kerf at the exit, in mm, never below 0.
 double exit_kerf_mm(const KerfRule& rule, double kerf_mm, double separation_share);
 
 }  // namespace gsim::waterjet

@@ -14,29 +14,31 @@
 
 namespace gsim::waterjet {
 
-/// The shop's usual jet, and how the values are found that it leaves out.
+/// The shop's usual jet, and the rules for its missing values.
 struct JetRule {
     double pressure_mpa = 0;
     double orifice_mm = 0;
     std::optional<double> mixing_tube_mm;
     std::optional<double> abrasive_g_min;
     double abrasive_factor = 1;
-    double discharge = 0;          ///< Of the orifice (water_flow_l_min()).
-    double tube_to_orifice = 0;    ///< Mixing tube's diameter by the orifice's, where it is not given; > 1.
-    double abrasive_to_water = 0;  ///< Mass of abrasive by that of water, where its flow is not given.
-    double quality = 0;            ///< 1 .. 5
+    double discharge = 0;  ///< Orifice factor (water_flow_l_min()).
+    double tube_to_orifice =
+        0;  ///< Ratio of the mixing tube's diameter to the orifice's, if it is not given; > 1.
+    double abrasive_to_water =
+        0;               ///< Ratio of the mass of abrasive to that of water, if its flow is not given.
+    double quality = 0;  ///< 1 .. 5
 
     bool operator==(const JetRule&) const = default;
 };
 
-/// What things cost, and how long they last. Money is in `currency` throughout.
+/// Prices of things, and their lifetimes. Money is in `currency` throughout.
 struct PriceRule {
     std::string currency;
     double machine_per_h = 0;  ///< Machine, operator, energy.
     double water_per_m3 = 0;
     double abrasive_per_kg = 0;
     double recycled_per_kg = 0;  ///< Washing and drying of what is used again.
-    double recycled_share = 0;   ///< Of the abrasive's mass, 0 .. < 1.
+    double recycled_share = 0;   ///< Share of the abrasive's mass, 0 .. < 1.
     double orifice_each = 0;
     double orifice_life_h = 0;  ///< With the jet on.
     double mixing_tube_each = 0;
@@ -45,7 +47,7 @@ struct PriceRule {
     bool operator==(const PriceRule&) const = default;
 };
 
-/// A cut that a shop has tried: its machinability follows from it.
+/// A cut that a shop has tested: its machinability follows from it.
 struct MeasuredCut {
     JetSetting jet;
     double speed_mm_min = 0;
@@ -55,13 +57,13 @@ struct MeasuredCut {
     bool operator==(const MeasuredCut&) const = default;
 };
 
-/// Of machinability, like and measured, a material has exactly one.
+/// A material, with exactly one of machinability, like and measured.
 struct Material {
     std::string name;
     std::optional<double> machinability;
-    std::string like;  ///< The name of a material that has a machinability of its own.
+    std::string like;  ///< The name of a material with its own machinability.
     std::optional<MeasuredCut> measured;
-    std::string source;  ///< Where the number is from; may be empty.
+    std::string source;  ///< Source of the number; may be empty.
 
     bool operator==(const Material&) const = default;
 };
@@ -78,11 +80,11 @@ struct Materials {
     bool operator==(const Materials&) const = default;
 };
 
-/// The material of that name; the error names the nearest one.
+/// Returns the material of that name; the error names the nearest one.
 tl::expected<const Material*, std::string> find_material(const Materials& materials, std::string_view name);
 
-/// How well a material of these can be cut: its own number, that of the material it is like, or what follows
-/// from its measured cut.
+/// Returns the machinability of one of these materials: its own number, that of the material it is like, or
+/// the result of its measured cut.
 double machinability_of(const Materials& materials, const Material& material);
 
 }  // namespace gsim::waterjet

@@ -70,7 +70,7 @@ double life_h(TomlSection& section, std::string_view key) {
     return number(section, {key, kLeastLife_h, kGreatestPrice});
 }
 
-/// A text that fits into one line of a report.
+/// Returns a text that fits into one line of a report.
 std::string short_text(TomlSection& section, std::string_view key) {
     std::string text = section.text(key);
     const bool printable = std::none_of(
@@ -211,7 +211,7 @@ std::vector<Material> read_material_list(FirstError& error, TomlSection& file) {
     return materials;
 }
 
-// A material that is cut like another one needs one with a number of its own, so that there are no circles.
+// A material that is cut like another one needs one with its own number, so that no cycles occur.
 void check_likes(FirstError& error, TomlSection& file, const Materials& all) {
     const std::vector<const toml::table*> tables = file.tables("material");
     for (std::size_t i = 0; i < all.materials.size(); ++i) {

@@ -11,16 +11,16 @@
 
 namespace gsim::waterjet {
 
-/// Reads a materials file (docs/waterjet.md) strictly: what it does not know, does not understand or cannot
-/// use is an error, "file:line:column: sentence". `file_name` is for that alone.
+/// Reads a materials file (docs/waterjet.md) strictly: anything unknown, unclear or unusable is an error,
+/// "file:line:column: message". `file_name` is only for that.
 tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name);
 
-/// read_materials() of a file.
+/// Reads a file with read_materials().
 tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
                                                     os::NamedBy named_by = os::NamedBy::a_file,
                                                     const os::Files& files = os::disk());
 
-/// The text of samples/materials.toml, which is compiled in.
+/// Returns the text of samples/materials.toml, which is compiled in.
 std::string_view built_in_materials_toml();
 
 }  // namespace gsim::waterjet

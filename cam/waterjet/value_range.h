@@ -10,13 +10,13 @@
 
 namespace gsim::waterjet {
 
-/// What a value may be. The ranges are far wider than what is used in practice; they keep the sums finite.
+/// The allowed range of a value. The ranges are far wider than in practice; they keep the sums finite.
 struct ValueRange {
     std::string_view key;
     double least = 0;
     double greatest = 0;
 
-    /// A sentence if the value is out of range, or no number.
+    /// Returns a message if the value is out of range, or not a number.
     std::optional<std::string> find_fault(double value) const {
         if (value >= least && value <= greatest) return std::nullopt;
         return fmt::format("'{}' must be between {} and {}; it is {}", key, least, greatest, value);

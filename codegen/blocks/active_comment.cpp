@@ -38,9 +38,9 @@ constexpr std::array kActive = {
     Active{"PY", Takes::text, true},
 };
 
-constexpr std::size_t kMaxValues = 50;  // a call of Lua takes some 200 at most
+constexpr std::size_t kMaxValues = 50;  // a call of Lua accepts some 200 at most
 
-/// Takes a text with values apart: a format for Lua's string.format, and the values behind it.
+/// Splits a text with values into a format for Lua's string.format, and the values after it.
 class ValueText {
   public:
     explicit ValueText(std::string_view text) : rest_(text) {
@@ -85,8 +85,9 @@ class ValueText {
         return true;
     }
 
-    /// A number that no parameter has shows as one without a value. Comments may read the position while
-    /// cutter compensation is on, where expressions may not read #5420 to #5428.
+    /// Returns the parameter with this number. A number that no parameter has is shown as one without a
+    /// value. Comments may read the position during cutter compensation, but expressions may not read #5420
+    /// to #5428.
     static std::string numbered(std::string_view digits) {
         const std::string number = normal_number(digits);
         const int value = number.size() <= kMaxDigits ? std::stoi(number) : 0;
@@ -96,7 +97,7 @@ class ValueText {
         return value >= 1 && value <= kLastParameter ? fmt::format(", v[{}]", value) : ", parameter(\"\")";
     }
 
-    /// %d, %f and %.3f: how the values behind it are written.
+    /// Reads %d, %f and %.3f: the formats of the values after it.
     bool take_format() {
         if (rest_.starts_with("%d")) return set_format("%.0f", 2);
         if (rest_.starts_with("%f")) return set_format("%.4f", 2);

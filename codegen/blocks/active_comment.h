@@ -6,11 +6,11 @@
 
 namespace gsim::codegen {
 
-/// Comments of RS274/NGC that do something: (MSG, text), (DEBUG, ..), (PRINT, ..), (LOG, ..), (LOGOPEN,
-/// file), (LOGAPPEND, file), (LOGCLOSE), (PROBEOPEN file), (PROBECLOSE), (ABORT, ..), and those for Python:
-/// (PY, ..), (PYRUN, file), (PYRELOAD). In DEBUG, PRINT, LOG and ABORT, #5 and #<name> stand for values, %d,
-/// %f and %.4f for how the values behind are written. Appends the call of the library and a blank, or nothing
-/// for any other comment. The error is a sentence.
+/// Writes comments of RS274/NGC that act: (MSG, text), (DEBUG, ..), (PRINT, ..), (LOG, ..), (LOGOPEN, file),
+/// (LOGAPPEND, file), (LOGCLOSE), (PROBEOPEN file), (PROBECLOSE), (ABORT, ..), and those for Python: (PY,
+/// ..), (PYRUN, file), (PYRELOAD). In DEBUG, PRINT, LOG and ABORT, #5 and #<name> mean values, and %d, %f and
+/// %.4f set the format of the values after them. Appends the call of the library and a blank; appends no text
+/// for any other comment. The error is a message.
 std::optional<std::string> write_active_comment(std::string_view comment, std::string& out);
 
 }  // namespace gsim::codegen

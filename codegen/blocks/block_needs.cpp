@@ -1,4 +1,4 @@
-// What the codes of a block cannot do without.
+// Mandatory words of the codes of a block.
 
 #include <string>
 
@@ -28,7 +28,7 @@ std::uint64_t BlockPlan::need_bits(const Word& word) const {
     return is_arc_word(word.address) ? kArcBit : 0;
 }
 
-/// In RS274/NGC a block that calls a program does nothing else.
+/// In RS274/NGC a block that calls a program has no other action.
 bool BlockPlan::check_alone(const Block& block, const Call& call) {
     if (!lexer_.is_ngc() || (calls_.size() == 1 && block.assignments.empty())) return true;
     return fail(block, call.word, DiagnosticKind::code_conflict,

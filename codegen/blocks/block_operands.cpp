@@ -1,4 +1,4 @@
-// Which words of a block go to which of its calls.
+// Assignment of the words of a block to its calls.
 
 #include <string_view>
 
@@ -12,13 +12,13 @@ using lexer::Word;
 
 namespace {
 
-/// What arcs and cycles read and other codes of RS274/NGC read too.
+/// Words that arcs and cycles read and other codes of RS274/NGC read too.
 constexpr std::string_view kWordsOfModalMotions = "LPQR";
 
 }  // namespace
 
-/// In RS274/NGC a word is there for every code that reads it: P of `G64 P2 M19 R90` is the tolerance and the
-/// way.
+/// In RS274/NGC a word belongs to every code that reads it: P of `G64 P2 M19 R90` is the tolerance and the
+/// direction.
 bool BlockPlan::belongs(const Block& block, std::uint32_t word, std::uint32_t call) const {
     if (owners_[word] == static_cast<std::int32_t>(call)) return true;
     const Word& shared = block.text->words[word];
@@ -27,8 +27,8 @@ bool BlockPlan::belongs(const Block& block, std::uint32_t word, std::uint32_t ca
            takes(*code, shared.address);
 }
 
-/// Which motion is modal is known when the program runs, and with it whether this word, which arcs and cycles
-/// read, is one of its own.
+/// The modal motion is known only at run time. So it is not known before if this word, which arcs and cycles
+/// read, belongs to it.
 bool BlockPlan::is_shared(const Block& block, std::uint32_t word, std::uint32_t call) const {
     const Word& shared = block.text->words[word];
     return lexer_.is_ngc() && calls_[call].kind == Call::Kind::move && owners_[word] != kUnowned &&

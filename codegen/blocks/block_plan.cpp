@@ -37,7 +37,7 @@ Phase phase_of(Address address) {
     }
 }
 
-/// A macro call takes I, J and K several times.
+/// A macro call accepts I, J and K several times.
 bool takes_repeated(const Code* code, Address address) {
     return code != nullptr && address >= 'I' && address <= 'K' &&
            code->words.find('*') != std::string_view::npos;
@@ -146,7 +146,7 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
     return true;
 }
 
-/// What the code that is not there may have been meant to be.
+/// Suggests a fix for a missing code.
 std::string BlockPlan::hint(const Word& word) const {
     for (const grammar::Dialect* other : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
         const Code* code = other->find(static_cast<char>(word.address), word.code_x10);
@@ -160,7 +160,7 @@ std::string BlockPlan::hint(const Word& word) const {
                : "";
 }
 
-/// It acts where most of those act that take no words: with the modal settings, or with the switches.
+/// It acts in the phase of most codes without words: with the modal settings, or with the switches.
 bool BlockPlan::add_computed_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
     if (!lexer_.is_ngc()) {
@@ -232,9 +232,9 @@ bool BlockPlan::collect_codes(const Block& block) {
     return true;
 }
 
-/// True where two calls that use axis words cannot share a block. The 9/Series gives the words to the code
-/// that has them as its data, and makes the motion modal; in RS274/NGC such a code stands without a motion,
-/// but for the tool offset of a block that has no axis words.
+/// Returns true if two calls that use axis words cannot share a block. The 9/Series assigns the words to the
+/// code that has them as its data, and makes the motion modal. In RS274/NGC such a code must be without a
+/// motion, except for the tool offset of a block without axis words.
 bool BlockPlan::quarrel(const Block& block, const Call& a, const Call& b) const {
     const bool a_is_data = use_of(a) == AxisUse::data, b_is_data = use_of(b) == AxisUse::data;
     if (a_is_data && b_is_data) return true;
@@ -244,7 +244,7 @@ bool BlockPlan::quarrel(const Block& block, const Call& a, const Call& b) const 
            std::any_of(words.begin(), words.end(), [&](const Word& word) { return is_axis(word); });
 }
 
-/// The call that takes the axis words: a code that has them as its data, else the motion.
+/// Selects the call that receives the axis words: a code that has them as its data, else the motion.
 bool BlockPlan::choose_axis_owner(const Block& block) {
     for (std::uint32_t i = 0; i < calls_.size(); ++i) {
         const Call& call = calls_[i];
@@ -263,7 +263,7 @@ bool BlockPlan::choose_axis_owner(const Block& block) {
     return true;
 }
 
-/// The call that a word belongs to by its role and letter; -1: none of those that stand in the block.
+/// Returns the call that a word belongs to by its role and letter; -1: no call of the block.
 std::int32_t BlockPlan::owner_of(const Word& word) const {
     if (is_axis(word)) return axis_owner_;
     if (word.role == Role::time || word.role == Role::program) {
@@ -286,7 +286,7 @@ std::int32_t BlockPlan::owner_of(const Word& word) const {
     return modal && may_go_with_move(word.address) ? axis_owner_ : kUnowned;
 }
 
-/// ,C ,R and ,A go with the modal motion or with a code that takes them.
+/// ,C ,R and ,A belong to the modal motion or to a code that accepts them.
 bool BlockPlan::may_have_corner() const {
     if (axis_owner_ == kUnowned) return true;
     const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
@@ -301,7 +301,7 @@ bool BlockPlan::fail_beside_motion(const Block& block, std::uint32_t index) {
                             code == nullptr ? "CIP" : grammar::code_name(*code)));
 }
 
-/// True where words say where a move leads; P, L or Q alone do not make one.
+/// Returns true if words define the target of a move; P, L or Q alone do not.
 bool BlockPlan::has_target(const Block& block) const {
     const std::vector<Word>& words = block.text->words;
     return std::any_of(words.begin(), words.end(),
@@ -357,7 +357,7 @@ bool BlockPlan::assign_words(const Block& block) {
     }
     const bool corner = std::any_of(words.begin(), words.end(),
                                     [](const Word& word) { return is_corner_word(word.address); });
-    if (corner && axis_owner_ == kUnowned) {  // ,A alone: the modal motion goes on in that direction
+    if (corner && axis_owner_ == kUnowned) {  // ,A alone: the modal motion continues in that direction
         Call call;
         call.word = 0;
         axis_owner_ = static_cast<std::int32_t>(calls_.size());
@@ -366,7 +366,7 @@ bool BlockPlan::assign_words(const Block& block) {
     return true;
 }
 
-/// G53 and G09 say how the move of their block is made; without one they must not wait for the next block's.
+/// G53 and G09 modify the move of their block; without one they must not wait for the next block's.
 void BlockPlan::drop_idle_one_shots(const Block& block) {
     if (axis_owner_ != kUnowned) return;
     std::erase_if(calls_, [&](const Call& call) {

@@ -13,50 +13,50 @@
 
 namespace gsim::codegen {
 
-/// One call of a library function that a block becomes.
+/// Call of a library function that a block becomes.
 struct Call {
     enum class Kind : std::uint8_t {
         code,       ///< A G or M code.
         letter,     ///< F, S, T, D or H by itself; ,C ,R or ,A.
         move,       ///< Axis words that go on with the modal motion.
         via_point,  ///< CIP
-        unknown,    ///< A code that the dialect does not have, where it is put off; stands alone.
-        computed,   ///< RS274/NGC: a G or M code without words whose number the run tells.
+        unknown,    ///< Code missing in the dialect, if it is deferred; alone in its block.
+        computed,   ///< RS274/NGC: a G or M code without words with its number known at run time.
     };
     Kind kind = Kind::move;
     grammar::Phase phase = grammar::Phase::motion;
-    const grammar::Code* code = nullptr;  ///< Of Kind::code.
+    const grammar::Code* code = nullptr;  ///< For Kind::code.
     std::uint32_t word = 0;               ///< The word that asked for the call.
     std::uint32_t first_operand = 0;      ///< Into BlockPlan::operands().
     std::uint32_t operand_count = 0;
-    /// Behind them: words that another code of the block has taken and that the modal motion may want too.
+    /// After them: words that another code of the block has used and that the modal motion may use too.
     std::uint32_t shared_count = 0;
 };
 
-/// Decides what the words of a block mean together: which code takes which word, what is missing, extra,
-/// double or contradictory, and the order in which the controller executes them.
+/// Plan of a block: decides which code uses which word, which words are missing, extra, double or
+/// contradictory, and the order in which the controller executes them.
 class BlockPlan {
   public:
-    /// Everything outlives the plan. Codes that the dialect does not have go to `unknown`, where there is
-    /// one, and are left out; else they are errors.
+    /// Makes a plan; all arguments must outlive it. Codes that the dialect does not have are passed to
+    /// `unknown`, if given, and are left out; else they are errors.
     BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics,
               UnknownCodes* unknown)
         : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics), unknown_(unknown) {}
 
     const grammar::Dialect& dialect() const { return dialect_; }
-    /// From here on a code that the dialect does not have becomes an alarm of the run (Kind::unknown), with a
-    /// warning: the blocks are those of a subroutine, which may never be called.
+    /// Defers codes that the dialect does not have: from here on such a code becomes an alarm of the run
+    /// (Kind::unknown), with a warning. The blocks are those of a subroutine, which may never be called.
     void put_off_unknown(UnknownCodes* put_off) { put_off_ = put_off; }
 
-    /// Plans one block of words. False where an error was reported. Valid until the next call.
+    /// Plans one block of words. Returns false if an error was reported. Valid until the next call.
     bool plan(const grammar::Block& block);
 
     std::span<const Call> calls() const { return calls_; }
-    /// Word indices of a call's operands.
+    /// Returns the word indices of a call's operands.
     std::span<const std::uint32_t> operands(const Call& call) const {
         return std::span(operands_).subspan(call.first_operand, call.operand_count);
     }
-    /// Word indices of what a call of the modal motion shares with other codes.
+    /// Returns the word indices that a call of the modal motion shares with other codes.
     std::span<const std::uint32_t> shared(const Call& call) const {
         return std::span(operands_).subspan(call.first_operand + call.operand_count, call.shared_count);
     }
@@ -101,7 +101,7 @@ class BlockPlan {
     UnknownCodes* put_off_ = nullptr;
     std::optional<std::uint32_t> unknown_word_;
     bool leaves_out_block_ = false;  ///< A G code that is left out: with it all of its block.
-    bool leaves_out_words_ = false;  ///< An M code that is left out: with it words that nothing else takes.
+    bool leaves_out_words_ = false;  ///< An M code that is left out, with words that no other code uses.
     std::vector<Call> calls_;
     std::vector<std::uint32_t> operands_;
     std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
@@ -109,18 +109,18 @@ class BlockPlan {
     std::int32_t axis_owner_ = -1;
 };
 
-/// The letter of an address as the dialect's table writes it.
+/// Returns the letter of an address as the dialect's table writes it.
 char table_letter(lexer::Address address);
-/// True where words with this address belong to the code.
+/// Returns true if words with this address belong to the code.
 bool takes(const grammar::Code& code, lexer::Address address);
 
-/// Centre, radius or angle of an arc, or the point that CIP goes through.
+/// Returns true for the centre, radius or angle of an arc, or the point of CIP on it.
 constexpr bool is_arc_word(lexer::Address address) {
     return (address >= 'I' && address <= 'K') || address == 'R' ||
            (address >= lexer::kArcAngle && address <= lexer::kViaZ);
 }
 
-/// The key of an operand in the table that a library function takes: "x", "ar", "i1", "radius" for @.
+/// Returns the key of an operand in the table for a library function: "x", "ar", "i1", "radius" for @.
 std::string_view lua_key(lexer::Address address);
 
 }  // namespace gsim::codegen

@@ -56,7 +56,7 @@ Settings::Settings(const Block& block) : block_(block) {
         settings_.push_back({target, assignment.value});
         computed |= block.node(assignment.target).kind == grammar::NodeKind::indirect;
     }
-    // Two of them may be the same parameter: the later one holds, and Lua assigns from right to left.
+    // Two of them may be the same parameter: the later one is valid, and Lua assigns from right to left.
     if (computed) std::reverse(settings_.begin(), settings_.end());
 }
 

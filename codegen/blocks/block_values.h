@@ -10,32 +10,32 @@
 
 namespace gsim::codegen {
 
-/// Words of a block of RS274/NGC whose values must be worked out before the block acts, since what acts first
-/// may change what they read: parameters that the block sets, or the position that a change of units shows in
-/// another way. Their values stand in locals of Lua.
+/// Words of a block of RS274/NGC that must be evaluated before the block acts, because the first actions may
+/// change what they read. Examples are parameters that the block sets, or the position after a change of
+/// units. Their values are stored in locals of Lua.
 class BlockValues {
   public:
-    /// None: each word is worked out where it is executed.
+    /// Makes an empty list: each word is evaluated when it is executed.
     BlockValues() = default;
-    /// The words that read parameters, where the block has settings or more than one call.
+    /// Collects the words that read parameters, if the block has settings or more than one call.
     BlockValues(const grammar::Block& block, const BlockPlan& plan);
 
     bool empty() const { return words_.empty(); }
     bool has(std::uint32_t word) const;
     /// local w1, w2 = v[5420], p.width
     void write(const grammar::Block& block, std::string& out) const;
-    /// The local of a word that has one: w1 for the first of them.
+    /// Appends the local of a word that has one: w1 for the first of them.
     void write_name(std::uint32_t word, std::string& out) const;
 
   private:
     std::vector<std::uint32_t> words_;  ///< In ascending order.
 };
 
-/// The settings of a block of RS274/NGC: right sides see the old values, and of several values for one
-/// parameter the last one holds.
+/// Settings of a block of RS274/NGC: right sides see the old values, and of several values for one parameter
+/// the last one is valid.
 class Settings {
   public:
-    /// A block has no more: Lua keeps all of a statement's values at once, in some 250 places.
+    /// A block has no more: Lua keeps all values of a statement at once, in some 250 registers.
     static constexpr std::size_t kMost = 50;
 
     explicit Settings(const grammar::Block& block);

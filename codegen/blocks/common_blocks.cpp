@@ -1,5 +1,5 @@
-// The common blocks of a tool path, planned without the machinery of the rest. What does not fit goes there,
-// and what is wrong is told there.
+// Common blocks of a tool path, planned without the general code. Blocks that do not fit are passed to it,
+// and errors are reported there.
 
 #include <span>
 #include <vector>
@@ -17,7 +17,7 @@ using lexer::Word;
 
 namespace {
 
-/// Tells addresses that come again; now and then also two that are different.
+/// Set that detects repeated addresses; occasionally also two that are different.
 class Seen {
   public:
     bool again(Address address) {
@@ -43,7 +43,7 @@ void BlockPlan::add_only_call(const Call& call, std::uint32_t first_operand, std
     calls_.back().operand_count = static_cast<std::uint32_t>(operands_.size());
 }
 
-/// Axis words alone.
+/// Returns true for axis words alone.
 bool BlockPlan::only_moves(const Block& block) {
     const std::vector<Word>& words = block.text->words;
     Seen seen;
@@ -54,7 +54,7 @@ bool BlockPlan::only_moves(const Block& block) {
     return true;
 }
 
-/// A motion code with words that it takes.
+/// Returns true for a motion code with words that it accepts.
 bool BlockPlan::only_a_motion(const Block& block) {
     const std::vector<Word>& words = block.text->words;
     const Word& first = words.front();

@@ -25,8 +25,8 @@ class LeaderFinder : public grammar::BlockSink {
     std::uint32_t lines() const { return leads_ ? mark_line_ - 1 : 0; }
 
   private:
-    std::uint32_t mark_line_ = 0;  ///< Of the first %; 0: none yet.
-    bool has_text_ = false;        ///< Something stands before it, and is no block.
+    std::uint32_t mark_line_ = 0;  ///< Line of the first %; 0: not found yet.
+    bool has_text_ = false;        ///< Text before it that is no block.
     bool leads_ = false;
     bool done_ = false;
 };

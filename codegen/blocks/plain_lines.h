@@ -8,14 +8,14 @@
 
 namespace gsim::codegen {
 
-/// The first lines of a program as its dialect has no part in them: in capitals, without comments in brackets
-/// and behind semicolons. For looking at, not for running.
+/// First lines of a program without the influence of its dialect: in capitals, without comments in brackets
+/// and after semicolons. For inspection only, not to be run.
 class PlainLines {
   public:
     /// Reads the source from its start, at most 256 KiB of it.
     explicit PlainLines(lexer::Source& source);
 
-    /// Goes to the next line that says something; false at the end.
+    /// Moves to the next line with content; returns false at the end.
     bool next();
     std::uint32_t number() const { return number_; }
     std::string_view text() const { return line_; }
@@ -27,19 +27,19 @@ class PlainLines {
     std::string line_;
 };
 
-/// A word of a plain line: a letter with a number as it is written.
+/// Word of a plain line: a letter with a number as it is written.
 struct PlainWord {
     char letter = ' ';
     std::string_view digits;  ///< "-1.250"
     double value = 0;
-    int decimals = 0;  ///< Digits behind the point.
+    int decimals = 0;  ///< Digits after the point.
 };
 
-/// The words of a plain line one after the other; names and expressions are passed over.
+/// Words of a plain line one after the other; names and expressions are skipped.
 class PlainWords {
   public:
     explicit PlainWords(std::string_view line) : line_(line) {}
-    /// Goes to the next word; false at the end.
+    /// Moves to the next word; returns false at the end.
     bool next();
     const PlainWord& word() const { return word_; }
 

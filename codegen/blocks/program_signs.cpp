@@ -14,10 +14,10 @@ namespace gsim::codegen {
 
 namespace {
 
-/// Something that one language has and the others have not.
+/// Feature that one language has and the others do not have.
 struct Sign {
-    std::string_view text;      // as it stands in the program
-    std::string_view dialect;   // to be tried; empty: none of ours reads it
+    std::string_view text;      // as in the program
+    std::string_view dialect;   // suggested one; empty: no dialect of ours reads it
     std::string_view language;  // as people call it
     bool sure = true;           // the other dialect has no such thing at all
 };
@@ -40,7 +40,7 @@ std::string blanks_removed(std::string_view text) {
     return out;
 }
 
-// What follows the name or number of an O-word; empty where a line has none.
+// Returns the text after the name or number of an O-word; empty if a line has no O-word.
 std::string_view behind_o(std::string_view line) {
     std::size_t at =
         line.starts_with("N") ? std::min(line.find_first_not_of("0123456789", 1), line.size()) : 0;
@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 14> kOWords{"SUB",    "ENDSUB",    "CALL"
                                                    "ELSE",   "ENDIF",     "WHILE",  "ENDWHILE", "DO",
                                                    "REPEAT", "ENDREPEAT", "RETURN", "BREAK"};
 
-// Whether `text` stands in the line and a digit behind it.
+// Returns true if the line contains `text` with a digit after it.
 bool has_numbered(std::string_view line, std::string_view text) {
     for (std::size_t at = line.find(text); at != std::string_view::npos; at = line.find(text, at + 1)) {
         const std::size_t behind = at + text.size();
@@ -67,7 +67,7 @@ bool has_numbered(std::string_view line, std::string_view text) {
     return false;
 }
 
-// The sign of RS274/NGC in a line without blanks.
+// Returns the feature of RS274/NGC in a line without blanks.
 std::optional<Sign> ngc_sign(std::string_view line) {
     if (line.find("#<") != std::string_view::npos) return Sign{"#<name>", kNgcName, kNgcTitle};
     const std::string_view flow = behind_o(line);
@@ -99,7 +99,7 @@ std::optional<Sign> ab9_sign(std::string_view line) {
     return std::nullopt;
 }
 
-// Languages that nobody should take for G-code.
+// Returns a feature of a language that is no G-code.
 std::optional<Sign> foreign_sign(std::string_view line) {
     if (line.find("BEGIN PGM") != std::string_view::npos)
         return Sign{"BEGIN PGM", "", "Heidenhain's own language"};
@@ -119,7 +119,7 @@ text::Diagnostic note_of(const lexer::Source& source, std::uint32_t line, const 
                                          : fmt::format("try --dialect {}", sign.dialect)};
 }
 
-/// What is seen of the numbers of a program.
+/// Statistics of the numbers of a program.
 struct Numbers {
     int coordinates = 0;
     int fine = 0;    // coordinates with three or four decimals

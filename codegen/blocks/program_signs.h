@@ -8,18 +8,18 @@
 
 namespace gsim::codegen {
 
-/// Why a program looks like one of another dialect than it was read as, with what to try as its hint; nothing
-/// where nothing speaks for another one. For programs that failed. It reads
-/// the source from its start, at most its first 256 KiB.
+/// Returns the reason why a program looks like one of another dialect than the one it was read as, with the
+/// suggested dialect as its hint. Returns no value if no feature indicates another one. For programs that
+/// failed. It reads the source from its start, at most its first 256 KiB.
 std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source, const grammar::Dialect& read_as);
 
-/// Why a program that says neither G20 nor G21 and is read in mm looks like one in inches;
-/// nothing where it does not. Its numbers say so:
+/// Returns the reason why a program that has neither G20 nor G21 and is read in mm looks like one in inches;
+/// no value if it does not. Its numbers are the evidence:
 /// - no coordinate (X, Y, Z) is beyond 10, and three have three or four decimals; or none is beyond 40, and a
 ///   quarter of them has four decimals;
-/// - none has more than four;
-/// - there is a feed, and none is above 100.
-/// What speaks in variables alone says nothing. It reads the source from its start, at most its first 256
+/// - no coordinate has more than four;
+/// - it has a feed, and no feed is above 100.
+/// A program with only variables gives no evidence. It reads the source from its start, at most its first 256
 /// KiB.
 std::optional<text::Diagnostic> find_inch_signs(lexer::Source& source);
 

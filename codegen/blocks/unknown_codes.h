@@ -8,13 +8,14 @@
 
 namespace gsim::codegen {
 
-/// Counts codes that a dialect does not have, to warn of each once.
+/// Counter of codes that a dialect does not have, to warn of each once.
 class UnknownCodes {
   public:
     void add(const std::string& code, const lexer::Location& location) {
         ++codes_.try_emplace(code, Entry{location, 0}).first->second.count;
     }
-    /// One warning for each code, at its first place, with the count; `consequence` says what becomes of it.
+    /// Reports one warning for each code, at its first position, with the count; `consequence` describes the
+    /// effect.
     void report(lexer::Diagnostics& diagnostics, std::string_view dialect_title,
                 std::string_view consequence) const;
 

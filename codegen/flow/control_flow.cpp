@@ -93,7 +93,7 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
     open_jumps_.push_back({target, path(), weight_, location});
 }
 
-/// The label of what finds the block of a computed jump, by the number of loops around it.
+/// Returns the Lua label that finds the block of a computed jump, by the number of loops around it.
 std::string ControlFlow::finder(std::size_t depth) const {
     return depth == 0 ? "computed" : fmt::format("computed{}", loops_[depth - 1].instance);
 }
@@ -110,7 +110,7 @@ std::optional<ControlFlow::LoopTargets> ControlFlow::loop_targets() const {
                        loop.numbers};
 }
 
-// A label for each block that a jump may mean, and for no other: Lua counts them in 16 bits.
+// Only blocks that a jump may target get a label: Lua counts labels in 16 bits.
 bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     if (!computed() && !jumps_->targets.contains(number)) return false;
     if (labels_.size() == kMaxLabels) {
@@ -131,7 +131,7 @@ bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     return true;
 }
 
-// Lua jumps out of loops and not into them, as the 9/Series does; and over 2^24 instructions at most.
+// Lua jumps out of loops and not into them, like the 9/Series; and over 2^24 instructions at most.
 void ControlFlow::check(const Jump& jump) {
     const auto place = labels_.find(jump.target);
     if (place == labels_.end()) {

@@ -12,50 +12,51 @@
 
 namespace gsim::codegen {
 
-/// Follows the loops, labels and jumps of one program and reports what Lua could not do: Lua has no jump into
-/// a loop, at most 32,767 labels and as many open jumps in a function, and none over more than 2^24
-/// instructions.
+/// Check of the loops, labels and jumps of one program; it reports what Lua does not support. In Lua a
+/// function has at most 32,767 labels and as many open jumps. It has no jump into a loop or over more than
+/// 2^24 instructions.
 class ControlFlow {
   public:
     explicit ControlFlow(lexer::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
     void begin_program(const ProgramJumps& jumps);
-    /// Reports what is left open or leads nowhere.
+    /// Reports structures that are left open and jumps without a target.
     void end_program();
 
-    /// WHILE and END; false where the error was reported.
+    /// Handle WHILE and END; return false if the error was reported.
     bool open_loop(const grammar::Block& block);
     bool close_loop(const grammar::Block& block);
-    /// A GOTO to a number that is known at run time only: the label in Lua that finds its block, of the loop
-    /// around it or of the program.
+    /// Adds a GOTO to a number that is known only at run time. Returns the label in Lua that finds its block,
+    /// of the loop around it or of the program.
     std::string add_computed_jump();
-    /// Where such jumps of the innermost loop lead; nothing where it has none.
+    /// Targets of such jumps of the innermost loop; no value if it has no such jumps.
     struct LoopTargets {
-        std::string label;                   ///< What finds the block.
-        std::string outer;                   ///< What finds it where it is none of the body.
+        std::string label;                   ///< Label that finds the block.
+        std::string outer;                   ///< Label if it is no block of the body.
         std::string end;                     ///< A label for the end of the body.
         std::vector<std::uint32_t> numbers;  ///< Blocks of the body itself.
     };
     std::optional<LoopTargets> loop_targets() const;
-    /// A GOTO to a number that is known.
+    /// Adds a GOTO to a number that is known.
     void add_jump(std::uint32_t target, const lexer::Location& location);
-    /// A block with N; true where it needs a label in Lua.
+    /// Adds a block with N; returns true if it needs a label in Lua.
     bool add_sequence(std::uint32_t number, const lexer::Location& location);
-    /// Whether a block with this number and a label has come.
+    /// Returns true if a block with this number and a label has come.
     bool has_label(std::uint32_t number) const { return labels_.contains(number); }
     /// Counts instructions of Lua, as an upper bound.
     void add_weight(std::uint64_t instructions) { weight_ += instructions; }
     std::uint64_t weight() const { return weight_; }
 
-    /// A WHILE or END could not be understood: no error of nesting is reported in this program any more.
+    /// Records that a WHILE or END could not be understood: errors of nesting are no longer reported in this
+    /// program.
     void lose_track() { lost_ = true; }
     bool in_loop() const { return !loops_.empty(); }
     bool has_jumps() const { return computed() || !jumps_->targets.empty(); }
-    /// The program needs the dispatcher of computed jumps.
+    /// Returns true if the program needs the dispatcher of computed jumps.
     bool computed() const { return jumps_->computed || has_returns(); }
-    /// Calls of other programs may tell at which block to go on.
+    /// Returns true if calls of other programs may return the block at which to continue.
     bool has_returns() const { return jumps_->calls && jumps_->returns_to_blocks; }
-    /// Numbers that a computed GOTO can reach from anywhere: those outside of loops.
+    /// Returns the numbers that a computed GOTO can reach from anywhere: those outside of loops.
     const std::vector<std::uint32_t>& reachable() const { return reachable_; }
 
   private:
@@ -66,7 +67,7 @@ class ControlFlow {
         lexer::Location location;
         bool has_computed_jumps = false;
         std::vector<std::uint32_t> numbers =
-            {};  ///< Of its blocks that have a label, those of inner loops left out.
+            {};  ///< Its blocks that have a label, without those of inner loops.
     };
     struct Label {
         std::vector<std::uint32_t> path;  ///< Instances of the loops around it.

@@ -14,13 +14,13 @@ namespace gsim::codegen {
 
 namespace {
 
-/// Targets beyond what Lua can label are not collected: the second reading reports the program.
+/// Targets beyond Lua's label limit are not collected: the second reading reports the program.
 constexpr std::size_t kMaxTargets = 40000;
 
-/// Finds the letters GOTO in any case, or the digits 99 behind an M, in a text that arrives in pieces.
+/// Finder of the letters GOTO in any case, or the digits 99 after an M, in a text that arrives in parts.
 class JumpFinder {
   public:
-    /// True once one of them has come.
+    /// Returns true once one of them has come.
     bool find(const char* text, std::size_t size) {
         if (matched_ == 0 && !after_m_ && !may_hold_jump(text, size)) {
             matched_ = (text[size - 1] & ~0x20) == 'G' ? 1 : 0;  // its O may come next
@@ -41,7 +41,7 @@ class JumpFinder {
     static constexpr std::string_view kWord = "GOTO";
     static constexpr std::string_view kBetween = "09+ \t\r\v\f";  ///< Between M and 99.
 
-    /// A tool path holds none of these letters for long stretches.
+    /// A tool path has long parts without any of these letters.
     static bool may_hold_jump(const char* text, std::size_t size) {
         for (const char letter : {'O', 'o', 'M', 'm'}) {
             if (std::memchr(text, letter, size) != nullptr) return true;
@@ -90,7 +90,7 @@ class JumpCollector : public grammar::BlockSink {
     }
 
   private:
-    /// M99 P: in the first program a jump, else one of whoever calls.
+    /// Handles M99 P: in the first program a jump, else one in the calling program.
     void note_return(const grammar::Block& block) {
         for (const lexer::Word& word : block.text->words) {
             if (word.address != 'P') continue;
@@ -126,7 +126,7 @@ class JumpCollector : public grammar::BlockSink {
     bool returns_to_blocks_ = false;
 };
 
-/// Finds out whether the first block that says anything begins a program or a subroutine.
+/// Checks if the first block with content begins a program or a subroutine.
 class FirstBlock : public grammar::BlockSink {
   public:
     void take(const grammar::Block& block) override {

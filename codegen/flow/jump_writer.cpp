@@ -1,4 +1,4 @@
-// The part of LuaWriter that writes jumps and notes calls: GOTO, M99 P, M98.
+// Part of LuaWriter that writes jumps and records calls: GOTO, M99 P, M98.
 
 #include <charconv>
 #include <iterator>
@@ -26,12 +26,12 @@ constexpr std::uint64_t kInstructionsPerChoice = 4;  // an upper bound of what L
 
 }  // namespace
 
-/// The block to go on at is a local variable: a call that asks for none leaves it nil.
+/// The block at which to continue is a local variable: a call that does not set it leaves it nil.
 void LuaWriter::declare_jump(std::string& line) const {
     if (flow_.computed()) line += "local jump ";
 }
 
-/// M99 P in the main program goes on at a block of it. False where there is no P.
+/// Writes M99 P in the main program as a jump to one of its blocks. Returns false if it has no P.
 bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
     if (call.operand_count == 0 || lexer_.is_ngc()) return false;
     const Word& word = block.text->words[plan_.operands(call).front()];
@@ -48,7 +48,7 @@ bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
     return true;
 }
 
-/// The number of a block that a jump leads to, or nothing where the error was reported.
+/// Returns the number of the block that a jump targets, or no value if the error was reported.
 std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::Slice digits_slice,
                                                      std::uint32_t column) {
     const std::string_view digits = block.text->view(digits_slice);
@@ -96,7 +96,7 @@ void LuaWriter::write_goto(const Block& block) {
     write_jump_to(block, *number, block.target_column);
 }
 
-/// A jump back by which the main program ends, whatever comes, goes on for ever: each time is a pass.
+/// An unconditional jump back at the end of the main program repeats indefinitely: each time is a pass.
 bool LuaWriter::ends_pass(const Block& block, std::uint32_t target) const {
     const bool conditional = block.kind == BlockKind::if_then || block.kind == BlockKind::if_goto;
     return next_ordinal_ == 1 && !conditional && !flow_.in_loop() && flow_.has_label(target) &&
@@ -125,8 +125,8 @@ void LuaWriter::write_dispatcher() {
     code_ += "no_target(jump)";
 }
 
-/// Lua has no jump into a loop: at the end of its body a loop chooses among its own blocks, and what is none
-/// of them goes on to what is around it.
+/// Lua has no jump into a loop. So at the end of its body a loop selects one of its own blocks; for any other
+/// block it jumps to the structure around it.
 void LuaWriter::write_loop_dispatcher() {
     const auto targets = flow_.loop_targets();
     if (!targets) return;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMaxLevels = 80;  // Lua reads 200, of which expressions need some
 
-/// Levels of Lua that a structure takes; a `for` has four variables besides.
+/// Returns the levels of Lua that a structure needs; a `for` has four variables in addition.
 int levels_of(Flow flow) {
     return flow == Flow::repeat ? 5 : flow == Flow::sub ? 3 : 1;
 }
@@ -61,7 +61,7 @@ std::string oword_name(const Block& block) {
 
 void OWordFlow::fail(const Block& block, const std::string& message) {
     if (!lost_) diagnostics_.error(block.text->at(block.flow_column), DiagnosticKind::structure, message);
-    lost_ = true;  // one error of nesting brings others; the first one tells
+    lost_ = true;  // one error of nesting causes others; only the first one helps
 }
 
 void OWordFlow::write(const Block& block, std::uint64_t weight, std::string& out) {
@@ -121,7 +121,7 @@ void OWordFlow::fail_to_close(const Block& block, std::string_view end) {
                                   open_.back().name, keyword(open_.back().kind), open_.back().location.line));
 }
 
-/// True where the innermost structure is of this kind and name and has been closed.
+/// Returns true if the innermost structure is of this kind and name and has been closed.
 bool OWordFlow::close_structure(const Block& block, Flow kind, std::string& out) {
     if (open_.empty() || open_.back().kind != kind || open_.back().name != name_of(block)) {
         fail_to_close(block, fmt::format("end{}", keyword(kind)));
@@ -133,7 +133,7 @@ bool OWordFlow::close_structure(const Block& block, Flow kind, std::string& out)
     return true;
 }
 
-/// Lua jumps over 2^24 instructions at most; a subroutine is a function, around which nothing jumps.
+/// Lua jumps over 2^24 instructions at most; a subroutine is a function, and jumps do not cross it.
 void OWordFlow::check_length(const Structure& structure, const lexer::Location& end) {
     if (structure.kind == Flow::sub || weight_ - structure.weight <= kMaxJumpWeight) return;
     diagnostics_.error(structure.location, DiagnosticKind::too_large,
@@ -168,7 +168,7 @@ void OWordFlow::write_else(const Block& block, std::string& out) {
     out += " then ";
 }
 
-/// The end of a do, or the head of a loop.
+/// Writes the end of a do, or the head of a loop.
 void OWordFlow::write_while(const Block& block, std::string& out) {
     const auto is_its_do = [&](const Structure& structure) {
         return structure.kind == Flow::do_ && structure.name == name_of(block);
@@ -199,7 +199,7 @@ void OWordFlow::write_jump(const Block& block, std::string& out) {
             } else if (innermost) {
                 out += "break ";
             } else {
-                // Lua's break leaves the innermost loop alone; O-words name theirs.
+                // Lua's break leaves only the innermost loop; O-words name theirs.
                 structure->left = true;
                 text::append_format(out, "goto break_{} ", structure->id);
             }
@@ -236,7 +236,8 @@ bool OWordFlow::inside_sub() const {
 
 void OWordFlow::write_return(const Block& block, std::string& out) {
     if (!inside_sub()) fail(block, "return stands inside of a subroutine");
-    // Lua wants `return` at the end of a block of its own; a program may go on behind it.
+    // Lua requires `return` at the end of a block, so it gets one of its own; a program may continue after
+    // it.
     out += "do return ";
     if (!block.arguments.empty()) {
         out += "result(";

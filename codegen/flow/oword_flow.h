@@ -10,31 +10,31 @@
 
 namespace gsim::codegen {
 
-/// True where a name of an O-word stands for a number: digits without a zero before them. The scanner takes
+/// Returns true if a name of an O-word is a number: digits without a zero before them. The scanner removes
 /// zeros from a number, not from a name in < >.
 bool is_oword_number(std::string_view name);
 
-/// The name in the O-word of a block as Lua has it: a number, or a quoted text.
+/// Returns the name in the O-word of a block in Lua's form: a number, or a quoted text.
 std::string oword_name(const grammar::Block& block);
 
-/// The O-words of RS274/NGC as control structures of Lua. They nest by their names (o100 if .. o100 endif);
-/// what does not fit is reported where it stands.
+/// Writer of the O-words of RS274/NGC as control structures of Lua. They nest by their names (o100 if .. o100
+/// endif); an error is reported at its position.
 class OWordFlow {
   public:
     explicit OWordFlow(lexer::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    /// Appends the Lua of a block of BlockKind::flow and a blank; the function around a subroutine's body is
-    /// the caller's to write. `weight`: instructions of Lua before it in its program, as an upper bound.
+    /// Appends the Lua of a block of BlockKind::flow and a blank; the caller writes the function around a
+    /// subroutine's body. `weight`: instructions of Lua before it in its program, as an upper bound.
     void write(const grammar::Block& block, std::uint64_t weight, std::string& out);
-    /// A block with an O-word could not be understood: what is open is not certain any more, and no error of
-    /// nesting is reported in this program.
+    /// Records that a block with an O-word could not be understood. The open structures are then uncertain,
+    /// and errors of nesting are not reported in this program.
     void lose_track() { lost_ = true; }
-    /// True inside of any structure.
+    /// Returns true inside of any structure.
     bool open() const { return !open_.empty(); }
     bool inside_sub() const;
-    /// Levels of Lua's nesting that the open structures take.
+    /// Returns the levels of Lua's nesting that the open structures need.
     int levels() const;
-    /// Reports what is left open, and begins anew.
+    /// Reports structures that are left open, and starts again.
     void end_program();
 
   private:
@@ -46,7 +46,7 @@ class OWordFlow {
         std::uint64_t weight;
         bool has_else = false;
         bool continued = false;  ///< Its end needs a label for `continue`,
-        bool left = false;       ///< or one behind it for `break` out of a loop further in.
+        bool left = false;       ///< or one after it for `break` out of an inner loop.
     };
 
     void open_structure(const grammar::Block& block, std::string& out);

@@ -19,7 +19,7 @@ std::uint32_t column_of(std::size_t index) {
     return static_cast<std::uint32_t>(index) + 1;
 }
 
-/// Runs of letters, or an asterisk, each with what stands before the next one.
+/// Splits runs of letters, or an asterisk, each with the text before the next one.
 std::vector<Parameter> parameters_of(std::string_view line, std::size_t from) {
     std::vector<Parameter> parameters;
     while (from < line.size()) {

@@ -10,37 +10,39 @@
 
 namespace gsim::codegen {
 
-/// What stands around words of such a line; CR is that of a line that ends in CR LF.
+/// Blanks around words of such a line; CR is that of a line that ends in CR LF.
 inline constexpr std::string_view kLineBlanks = " \t\r\v\f";
 
-/// What a command is given: a letter, or a name, and the text behind it.
+/// Parameter of a command: a letter, or a name, and the text after it.
 struct Parameter {
     std::string key;  ///< In capitals.
     std::string value;
     std::uint32_t column = 0;
 };
 
-/// A line as Klipper takes it apart: one command, everything else is a parameter of it, whatever it says.
+/// Line in Klipper's structure: one command, and all other text is a parameter of it, whatever it is.
 struct CommandLine {
-    std::string command;  ///< In capitals, "G1", "SET_VELOCITY_LIMIT"; empty where the line says nothing.
+    std::string command;  ///< In capitals, "G1", "SET_VELOCITY_LIMIT"; empty without a command.
     std::uint32_t column = 0;
-    std::vector<Parameter> parameters;  ///< As they stand, each a run of letters with what is behind it.
-    std::string_view tail;              ///< What stands behind the command, without the remark.
-    std::string_view remark;            ///< Behind ';'.
+    std::vector<Parameter> parameters;  ///< In their order, each a run of letters with the text after it.
+    std::string_view tail;              ///< Text after the command, without the remark.
+    std::string_view remark;            ///< Text after ';'.
 };
 
-/// `line` must outlive the answer.
+/// Splits `line`, which must outlive the result.
 CommandLine command_line(std::string_view line);
 
-/// The parameters of an extended command: NAME=VALUE between blanks; false where one of them is not so.
+/// Reads the parameters of an extended command: NAME=VALUE between blanks; returns false if one of them has
+/// another form.
 bool named_parameters(const CommandLine& line, std::vector<Parameter>& parameters);
 
-/// The lines of a source, one after the other.
+/// Lines of a source, one after the other.
 class SourceLines {
   public:
     explicit SourceLines(lexer::Source& source) : source_(source) { source.rewind(); }
 
-    /// Goes to the next line; false at the end. Of a line that is too long the rest is left out.
+    /// Moves to the next line; returns false at the end. The remainder of a line that is too long is left
+    /// out.
     bool next();
     std::string_view text() const { return line_; }
     bool too_long() const { return too_long_; }

@@ -34,7 +34,7 @@ bool has_word(std::string_view words, std::string_view word) {
     return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
 }
 
-/// A number of the text as Lua reads it: Lua knows no sign '+'.
+/// Returns a number of the text in Lua's form: Lua has no sign '+'.
 std::string_view without_plus(std::string_view number) {
     return number.substr(!number.empty() && number.front() == '+' ? 1 : 0);
 }
@@ -82,7 +82,7 @@ void CommandWriter::write_line(const SourceLines& lines) {
     end_line();
 }
 
-/// Whether the line has an effect.
+/// Returns true if the line has an effect.
 bool CommandWriter::write_command(const SourceLines& lines, const CommandLine& line) {
     const auto code = codes_.find(line.command);
     if (code != codes_.end() && code->second->support == grammar::Support::full) {
@@ -179,7 +179,7 @@ void CommandWriter::note_idle(std::string sentence, const lexer::Location& at) {
     ++idle.count;
 }
 
-/// In the order in which they stand.
+/// Warns in the order of the source.
 void CommandWriter::warn_of_idle() {
     std::vector<std::pair<std::string, Idle>> all(idle_.begin(), idle_.end());
     std::stable_sort(all.begin(), all.end(),

@@ -14,11 +14,11 @@
 
 namespace gsim::codegen {
 
-/// Turns a program of one command a line (Klipper) into Lua: line n of the source becomes line n+1. There are
-/// no blocks, expressions or programs in it, so that it needs no parser.
+/// Translator of a program of one command per line (Klipper) into Lua: line n of the source becomes line n+1.
+/// It has no blocks, expressions or programs, so it needs no parser.
 ///
-/// The control reads on over what it does not know. Each thing that has no effect is warned of once, with the
-/// count.
+/// The controller continues after unknown text. A warning is given once for each item without effect, with
+/// the count.
 class CommandWriter {
   public:
     CommandWriter(const grammar::Dialect& dialect, lexer::Diagnostics& diagnostics, LuaSpool& spool,
@@ -26,7 +26,7 @@ class CommandWriter {
 
     void write(lexer::Source& source, std::string_view source_name);
     const ProgramMap& map() const { return parts_.map(); }
-    /// The last line of the source that was read.
+    /// Returns the last line of the source that was read.
     std::uint32_t line() const { return line_; }
 
   private:

@@ -1,4 +1,4 @@
-// The part of LuaWriter that writes what a block says: its words, assignments and settings.
+// Part of LuaWriter that writes the content of a block: its words, assignments and settings.
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ void LuaWriter::write_content(const Block& block) {
     if (!block.text->words.empty() && plan_.plan(block)) write_calls(block, {});
 }
 
-/// All values of the block first, then its settings and its comment, then its words act.
+/// All values of the block come first, then its settings and its comment, then its words act.
 void LuaWriter::write_content_ngc(const Block& block) {
     if (block.assignments.size() > Settings::kMost) {
         lexer_.fail(1, DiagnosticKind::too_large,
@@ -83,7 +83,7 @@ void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
         if (is_m_code(call, kCallCode)) note_call(block, call);
         const bool calls = is_m_code(call, kCallCode) || is_macro_call(call);
         if (calls && flow_.has_returns()) {
-            // M99 P in the program that is called: this one goes on at that block.
+            // M99 P in the called program: this one continues at that block.
             code_ += "jump = ";
             write_call(block, plan_, call, values, code_, ", true");
             code_ += "if jump then ";

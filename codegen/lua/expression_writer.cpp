@@ -70,7 +70,7 @@ bool is_near_relation(Operator op) {
     return op == Operator::near_equal || op == Operator::not_near_equal;
 }
 
-/// A parameter's name as a field: p.width, or p["2nd edge"] where it is no name of Lua.
+/// Appends a parameter's name as a field: p.width, or p["2nd edge"] if it is no name of Lua.
 void write_named(std::string_view name, std::string& out) {
     if (is_lua_name(name)) {
         text::append_format(out, "p.{}", name);
@@ -98,7 +98,7 @@ void write_float(std::string_view digits, std::string& out) {
     if (digits.find('.') == std::string_view::npos) out += ".0";
 }
 
-/// A divisor that is certainly not 0: division by it needs no check at run time.
+/// Returns true for a divisor that is certainly not 0, so that division by it needs no check at run time.
 bool is_nonzero_literal(const Block& block, const Node& node) {
     if (node.kind != NodeKind::number) return false;
     const std::string_view digits = block.text->view(node.number);
@@ -158,11 +158,11 @@ void write_binary(const Block& block, std::int32_t index, std::string& out) {
     write_at(block, node.right, level + 1, out);
 }
 
-/// Lua reads 200 levels in all, of which the statements around an expression take some.
+/// Lua reads 200 levels in total; the statements around an expression need some of them.
 constexpr int kMaxLuaLevels = 150;
 
-/// The levels of Lua's nesting that one node needs, given those of its children: one for each bracket, index
-/// or call, one for the right side of an operator.
+/// Returns the levels of Lua's nesting that one node needs, given those of its children: one for each
+/// bracket, index or call, one for the right side of an operator.
 int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& levels) {
     const Node& node = block.node(index);
     const auto of = [&](std::int32_t child) { return levels[static_cast<std::size_t>(child)]; };
@@ -191,7 +191,7 @@ int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& l
 std::optional<std::uint32_t> nested_too_deep(const Block& block, int taken) {
     std::vector<int> levels;
     levels.reserve(block.nodes.size());
-    for (std::size_t i = 0; i < block.nodes.size(); ++i) {  // children stand before their parents
+    for (std::size_t i = 0; i < block.nodes.size(); ++i) {  // children come before their parents
         levels.push_back(lua_levels(block, static_cast<std::int32_t>(i), levels));
         if (levels.back() > kMaxLuaLevels - taken) return block.nodes[i].column;
     }

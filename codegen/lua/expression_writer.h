@@ -9,15 +9,15 @@
 namespace gsim::codegen {
 
 /// Appends the Lua of the expression at node `index`: numbers as floats, #5 as v[5], operators in Lua's
-/// spelling, brackets where the order of evaluation needs them. A comparison in the place of a number becomes
-/// 1 or 0.
+/// spelling, brackets if the order of evaluation needs them. A comparison instead of a number becomes 1 or 0.
 void write_number(const grammar::Block& block, std::int32_t index, std::string& out);
 
-/// Appends the Lua of a condition. A number in the place of a truth value counts as true unless it is 0.
+/// Appends the Lua of a condition. A number instead of a truth value counts as true unless it is 0.
 void write_condition(const grammar::Block& block, std::int32_t index, std::string& out);
 
-/// The column of an expression of the block that would be nested deeper in Lua than Lua reads; nothing where
-/// all are shallow enough, as in any program that people write. `taken`: levels of the structures around it.
+/// Returns the column of an expression of the block with deeper nesting in Lua than Lua reads. Returns no
+/// value if all are shallow enough, as in any program that people write. `taken`: levels of the structures
+/// around it.
 std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block, int taken);
 
 }  // namespace gsim::codegen

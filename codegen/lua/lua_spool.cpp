@@ -47,7 +47,7 @@ void LuaSpool::reserve_file() {
     reserve_.reset(std::tmpfile());
 }
 
-/// Moves the buffer to the file; what the file cannot take shows in finish().
+/// Moves the buffer to the file; finish() reports write errors.
 void LuaSpool::flush() {
     hash_.update(std::string_view(buffer_).substr(hashed_));
     hashed_ = 0;
@@ -55,17 +55,17 @@ void LuaSpool::flush() {
     buffer_.clear();
 }
 
-/// As errno.
+/// Returns an errno.
 int LuaSpool::write_buffer() {
     if (!file_) file_ = std::move(reserve_);
     if (!file_) file_.reset(std::tmpfile());
-    // A run that calls another program may reach no folder for temporary files.
+    // A run that calls another program may have no access to a folder for temporary files.
     if (!file_) file_ = os::file_in_memory("spool");
     if (!file_) return errno;
     return std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) == buffer_.size() ? 0 : errno;
 }
 
-/// Over the digits that stand for it. As errno.
+/// Overwrites the digits that reserve its position. Returns an errno.
 int LuaSpool::write_hash(std::string_view digits) {
     if (std::fflush(file_.get()) != 0 ||
         std::fseek(file_.get(), static_cast<long>(head_size_), SEEK_SET) != 0 ||

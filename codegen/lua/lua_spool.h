@@ -14,24 +14,24 @@
 
 namespace gsim::codegen {
 
-/// The Lua of one translation until it is known to be whole: in memory while it is short, then in an
-/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of all that follows.
+/// Lua of one translation until it is known to be complete. It is in memory while it is short, then in an
+/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of the text after it.
 class LuaSpool {
   public:
-    /// Makes the temporary file now: later the process may reach no folder for it.
+    /// Makes the temporary file now, because later the process may have no access to a folder for it.
     void reserve_file();
-    /// Writes the first line, to which the hash is appended by finish().
+    /// Writes the first line, to which finish() appends the hash.
     void write_head(std::string_view head);
     void write(std::string_view text);
-    /// Completes the file. The error is a sentence with the reason, such as a full disk.
+    /// Completes the file. The error is a message with the reason, such as a full disk.
     tl::expected<void, std::string> finish();
 
     std::uint64_t size() const { return size_; }
-    /// Of memory.
+    /// Returns the bytes of memory.
     std::size_t held_bytes() const { return buffer_.capacity(); }
-    /// Bytes [begin, end) of the finished text, all of them. The error is a sentence with the reason.
+    /// Returns bytes [begin, end) of the finished text, all of them. The error is a message with the reason.
     tl::expected<std::string, std::string> read(std::uint64_t begin, std::uint64_t end) const;
-    /// Gives the finished text to `sink`, in pieces. The error is that of read().
+    /// Passes the finished text to `sink`, in parts. The error is that of read().
     tl::expected<void, std::string> copy_to(const std::function<void(std::string_view)>& sink) const;
 
   private:
@@ -39,20 +39,20 @@ class LuaSpool {
     int write_buffer();
     int write_hash(std::string_view digits);
 
-    os::FileHandle reserve_;  ///< What becomes file_; null: it is made then.
+    os::FileHandle reserve_;  ///< Becomes file_; null: it is made then.
     os::FileHandle file_;     ///< Null while all is in buffer_.
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;
-    std::uint64_t head_size_ = 0;  ///< Up to where the hash goes.
+    std::uint64_t head_size_ = 0;  ///< Start of the hash.
     std::uint64_t size_ = 0;
     int error_ = 0;  ///< errno of the first failure to write.
 };
 
-/// What the first line of a script says of its origin.
+/// Origin of a script according to its first line.
 struct ScriptOrigin {
-    std::string source_name;  ///< Of the G-code file; empty in a script that gcode2lua did not write.
-    bool unedited = false;    ///< The rest of the text is as it was written: Lua line n+1 is G-code line n.
+    std::string source_name;  ///< Name of the G-code file; empty if gcode2lua did not write the script.
+    bool unedited = false;    ///< The remaining text is unchanged: Lua line n+1 is G-code line n.
 };
 
 /// Reads the first line of `lua` and compares the hash in it with the text.

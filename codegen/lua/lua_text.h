@@ -5,7 +5,7 @@
 
 namespace gsim::codegen {
 
-/// True where `name` can stand behind a dot in Lua: letters, digits and _, no digit first, no keyword.
+/// Returns true if `name` can follow a dot in Lua: letters, digits and _, no digit first, no keyword.
 bool is_lua_name(std::string_view name);
 
 /// Appends `text` as a quoted string of Lua; bytes that are no printable ASCII are escaped.

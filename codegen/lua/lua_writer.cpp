@@ -28,19 +28,19 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";  // the CR of a line that ends in CR LF among them
 constexpr std::size_t kCommentColumn = 56;
-constexpr int kMaxBareLabels = 100;  // labels one behind the other; Lua's parser nests them, up to 200
+constexpr int kMaxBareLabels = 100;  // consecutive labels; Lua's parser nests them, up to 200
 
-// Upper bounds of what Lua's compiler makes of a test and of a node of an expression.
+// Upper bounds of the instructions that Lua's compiler makes of a test and of a node of an expression.
 constexpr std::uint64_t kInstructionsPerTest = 6;
 constexpr std::uint64_t kInstructionsPerNode = 4;
 
-/// O-words that can be left out by themselves.
+/// Returns true for O-words that can be left out by themselves.
 bool is_plain_flow(grammar::Flow flow) {
     return flow == grammar::Flow::call || flow == grammar::Flow::return_ || flow == grammar::Flow::break_ ||
            flow == grammar::Flow::continue_;
 }
 
-/// The name of a program as Lua has it: 12 for O0012, "PART7" for OPART7.
+/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7.
 std::string lua_program_name(std::string_view name, bool is_ngc) {
     if (is_ngc ? is_oword_number(name) : all_digits(name) && normal_number(name).size() <= 9)
         return normal_number(name);
@@ -74,7 +74,7 @@ void LuaWriter::begin_file(std::string_view source_name) {
     parts_.end_line(spool_.size(), false, true);
 }
 
-/// Whether there will be nothing but calls with numbers for it.
+/// Returns true if the block becomes only calls with numbers.
 bool LuaWriter::is_plain(const Block& block) {
     return block.kind == BlockKind::words && block.nodes.empty() && block.skip_level == 0;
 }
@@ -90,7 +90,8 @@ void LuaWriter::take(const Block& block) {
     if (block.text->end == lexer::BlockEnd::line && block.kind != BlockKind::tape) end_line();
 }
 
-/// Of a block with an error, what others refer to counts all the same, so that one error does not bring more.
+/// The parts of a block with an error that others refer to still count, so that one error does not cause
+/// more.
 void LuaWriter::note_bad_block(const Block& block) {
     if (block.has_program) open_program(block);
     if (block.text->structural) {
@@ -101,7 +102,7 @@ void LuaWriter::note_bad_block(const Block& block) {
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
-/// LinuxCNC goes through the file for the first one behind the call.
+/// LinuxCNC searches the file for the first one after the call.
 void LuaWriter::fail_or_warn_of_twin(const Block& block, std::string_view name) {
     const std::string what = fmt::format("the program O{} stands twice in this file", name);
     if (!lexer_.is_ngc()) {
@@ -132,12 +133,12 @@ bool LuaWriter::says_nothing(const Block& block) {
     return action.empty();
 }
 
-/// Every statement stands in a function; a subroutine brings its own.
+/// Every statement must be in a function; a subroutine brings its own.
 void LuaWriter::begin_function(const Block& block) {
     if (block.kind != BlockKind::flow || block.flow != grammar::Flow::sub) parts_.begin_rest(code_);
 }
 
-/// A subroutine is a function of its own, so that it can be called from above.
+/// A subroutine is a separate function, so that it can be called from above.
 void LuaWriter::open_sub(const Block& block) {
     if (parts_.open()) parts_.end(code_);
     const std::string name = oword_name(block);
@@ -222,7 +223,8 @@ void LuaWriter::write_statements(const Block& block) {
     }
 }
 
-/// Levels of Lua that are taken before an expression of the block begins; settings at once hold some too.
+/// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
+/// also use some.
 int LuaWriter::levels_around(const Block& block) const {
     if (!lexer_.is_ngc()) return 0;
     constexpr int kLevelsPerSetting = 2;
@@ -230,7 +232,7 @@ int LuaWriter::levels_around(const Block& block) const {
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
 }
 
-/// Of several comments the last one in ( ) may act; a remark behind ';' does not, nor what stands behind an
+/// The last one of several comments in ( ) may act; a remark after ';' does not, nor does the text after an
 /// O-word.
 void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;

@@ -19,12 +19,12 @@
 
 namespace gsim::codegen {
 
-/// Turns blocks into lines of Lua: line n of the source becomes line n+1. A line is put together in two
-/// buffers, statements and the comment behind them, and written when the source's line ends.
+/// Writer that turns blocks into lines of Lua: line n of the source becomes line n+1. A line is built in two
+/// buffers, statements and the comment after them, and written when the source's line ends.
 class LuaWriter : public grammar::BlockSink {
   public:
     struct Options {
-        bool annotate = false;         ///< The whole source block stands behind its Lua.
+        bool annotate = false;         ///< The complete source block follows its Lua.
         bool warn_of_unknown = false;  ///< Codes that the dialect does not have are left out, with a warning.
         bool inch = false;             ///< The unit in force at the start.
     };
@@ -32,10 +32,11 @@ class LuaWriter : public grammar::BlockSink {
     LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
               lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options);
 
-    /// Writes the first line; before any block.
+    /// Writes the first line; to be called before any block.
     void begin_file(std::string_view source_name);
     void take(const grammar::Block& block) override;
-    /// Closes the last program; after all blocks. Reports calls of programs that are not in the file.
+    /// Closes the last program; to be called after all blocks. Reports calls of programs that are not in the
+    /// file.
     void end_file();
 
     const ProgramMap& map() const { return parts_.map(); }
@@ -88,9 +89,9 @@ class LuaWriter : public grammar::BlockSink {
     PartWriter parts_;
     std::string code_;
     std::string comment_;
-    bool plain_line_ = true;  ///< Of the blocks of the line that is being put together.
+    bool plain_line_ = true;  ///< For the blocks of the line that is being built.
     std::size_t next_ordinal_ = 0;
-    bool main_ended_ = false;  ///< By M2 or M30: subroutines may follow, and nothing else.
+    bool main_ended_ = false;  ///< By M2 or M30: only subroutines may follow.
     int bare_labels_ = 0;      ///< Labels since the last statement.
     std::set<std::string> defined_;
     std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.

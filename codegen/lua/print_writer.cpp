@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kMaxVariableDigits = 5;
 
-/// A value in the text: `#100[53]`.
+/// Value in the text: `#100[53]`.
 struct Value {
     std::string_view variable;
     char decimals;
-    std::size_t size;  ///< Of the whole.
+    std::size_t size;  ///< Total size.
 };
 
 std::optional<Value> value_at(std::string_view text) {

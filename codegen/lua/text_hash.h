@@ -6,8 +6,8 @@
 
 namespace gsim::codegen {
 
-/// A 64-bit checksum of a text that arrives in parts, to tell an edited script from a generated one. Not for
-/// security. A multiply-and-fold hash over words of eight bytes.
+/// 64-bit checksum of a text that arrives in parts, to distinguish an edited script from a generated one. Not
+/// for security. A multiply-and-fold hash over words of eight bytes.
 class TextHash {
   public:
     void update(std::string_view part);
@@ -22,7 +22,7 @@ class TextHash {
     unsigned partial_bytes_ = 0;
 };
 
-/// The hash as the first line of a script has it: sixteen hexadecimal digits.
+/// Returns the hash in the form of the first line of a script: sixteen hexadecimal digits.
 std::string to_hex(std::uint64_t hash);
 
 }  // namespace gsim::codegen

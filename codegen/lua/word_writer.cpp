@@ -22,7 +22,7 @@ using lexer::Word;
 
 namespace {
 
-// Upper bounds of what Lua's compiler makes of a call and of an operand.
+// Upper bounds of the instructions that Lua's compiler makes of a call and of an operand.
 constexpr std::uint64_t kInstructionsPerCall = 6;
 constexpr std::uint64_t kInstructionsPerOperand = 5;
 
@@ -76,7 +76,7 @@ bool repeats_letters(const Block& block, const BlockPlan& plan, const Call& call
     return false;
 }
 
-/// {x=1, y=2}; letters that stand twice, as a macro call may have them, in their order: {"i", 1}, {"i", 2}.
+/// Writes {x=1, y=2}; letters that occur twice, as in a macro call, in their order: {"i", 1}, {"i", 2}.
 void write_words(const Block& block, std::span<const std::uint32_t> words, bool in_order,
                  const BlockValues& values, std::string& out) {
     char separator = '{';
@@ -142,7 +142,7 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, con
         return;
     }
     const bool returns = is_code(call, 'M', kReturnCode);
-    if (returns) out += "do return (";  // in brackets: behind a tail call Lua knows no line any more
+    if (returns) out += "do return (";  // in brackets: after a tail call Lua has no line number
     out += called_function(call, word);
     if (call.kind == Call::Kind::letter) {
         out += '(';

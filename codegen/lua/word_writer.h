@@ -10,19 +10,19 @@
 
 namespace gsim::codegen {
 
-/// Appends the Lua of one call of a block's plan, and a blank; words whose values have been worked out before
-/// (`values`) are their locals. With `further` ("`, true`"), an argument behind its words, the call stands in
+/// Appends the Lua of one call of a block's plan, and a blank; words that have been evaluated before
+/// (`values`) are their locals. With `further` ("`, true`"), an argument after its words, the call is in
 /// round brackets.
 void write_call(const grammar::Block& block, const BlockPlan& plan, const Call& call,
                 const BlockValues& values, std::string& out, std::string_view further = {});
 
-/// A number of a program or block without leading zeros; the digits are few, see the scanner.
+/// Returns a number of a program or block without leading zeros; the scanner limits the count of digits.
 std::string normal_number(std::string_view digits);
 
-/// True for digits alone, one at least.
+/// Returns true for digits alone, at minimum one.
 bool all_digits(std::string_view text);
 
-/// An upper bound of the instructions that Lua makes of a call.
+/// Returns an upper bound of the instructions that Lua makes of a call.
 std::uint64_t weight(const Call& call);
 
 }  // namespace gsim::codegen

@@ -16,7 +16,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// How many bytes at the front of a text a place may take at most.
+// Returns the max number of bytes at the front of a text that a placeholder may match.
 std::size_t longest(std::string_view place, std::string_view text) {
     const auto count = [text](auto is_part) {
         return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_part) - text.begin());
@@ -62,7 +62,7 @@ ActionWords::ActionWords(const Blocks& blocks) : exact_(blocks) {
     }
 }
 
-// Each place takes as much as it may, up to the text behind it.
+// Each placeholder matches as much as it may, up to the text after it.
 std::optional<std::vector<std::string>> ActionWords::match(const Pattern& pattern, std::string_view action) {
     std::vector<std::string> found;
     for (std::size_t i = 0; i < pattern.places.size(); ++i) {

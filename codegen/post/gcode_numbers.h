@@ -10,8 +10,8 @@
 
 namespace gsim::codegen {
 
-/// Writes numbers with so many decimals. What is written is a whole number of units of the last decimal, so
-/// that two values are the same word if their units are equal.
+/// Format of numbers with so many decimals. The written value is an integer count of units of the last
+/// decimal, so two values are the same word if their units are equal.
 class DecimalFormat {
   public:
     DecimalFormat(int decimals, Zeros zeros) : decimals_(decimals), zeros_(zeros) {
@@ -30,7 +30,7 @@ class DecimalFormat {
     std::int64_t per_one_ = 1;
 };
 
-/// A number with so many decimals at most, without zeros at the end.
+/// Returns a number with at most so many decimals, without zeros at the end.
 inline std::string trimmed(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     if (text.find('.') == std::string::npos) return text;

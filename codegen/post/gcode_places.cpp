@@ -1,5 +1,5 @@
-// Blocks that say where the machine stands, what positions are counted in, and that lead to places of the
-// machine.
+// Blocks that set the position of the machine and the reference of positions, and blocks that move to
+// positions of the machine.
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ std::string GcodeWriter::length_text(double mm) const {
     return fmt::to_string(number);
 }
 
-// As G10 counts them, from 1.
+// Returns the index for G10, from 1.
 std::string GcodeWriter::index_of(const std::string& system) const {
     const std::vector<std::string>& systems = post_.offsets.systems;
     return fmt::format("{}", std::find(systems.begin(), systems.end(), system) - systems.begin() + 1);
@@ -55,7 +55,7 @@ void GcodeWriter::set_work_offset(const std::string& name, const std::array<doub
     end_block();
 }
 
-// Of X, Y and Z those that are named.
+// Writes only the named axes of X, Y and Z.
 void GcodeWriter::rapid_block(std::string_view letters, const std::array<double, 3>& xyz_mm) {
     begin_block();
     motion_ = kNoMotion;
@@ -114,7 +114,7 @@ void GcodeWriter::machine_block(const std::map<char, double>& axes) {
     end_block();
 }
 
-// By increments of 0: the point on the way that such a word names is where the tool stands.
+// Increments of 0 make the present position the intermediate point of such a word.
 void GcodeWriter::go_to_reference(int number, const std::vector<std::map<char, double>>& steps) {
     std::fill(at_.begin(), at_.end(), kUnknown);
     motion_ = kNoMotion;

@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t kEnough = std::size_t{1} << 16;
 constexpr std::uint64_t kGreatestNumber = 99'999;
 constexpr int kSignificantDigits = 7;
-constexpr int kDecimals = 6;  // of numbers that are no places
+constexpr int kDecimals = 6;  // of numbers that are no positions
 constexpr double kPerUnit = 1e6;
 
 constexpr std::array<std::string_view, 4> kMotions = {"G00", "G01", "G02", "G03"};
 constexpr std::array<std::string_view, 3> kPlanes = {"G17", "G18", "G19"};
 constexpr std::array<char, 3> kCenterLetters = {'I', 'J', 'K'};
 
-// The axes of X, Y, Z that lie in each plane, by index.
+// Axes of X, Y, Z in each plane, by index.
 constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {0, 2}, {1, 2}}};
 
 bool is_numbered(std::string_view line) {
@@ -122,7 +122,7 @@ void GcodeWriter::forget() {
     std::fill(rest_.begin(), rest_.end(), 0);
 }
 
-// What has been put off to this block, and that its numbers are those of the machine.
+// Writes the words that were deferred to this block.
 void GcodeWriter::begin_motion() {
     begin_block();
     for (const std::string& word : next_words_) code(word);
@@ -136,7 +136,7 @@ bool GcodeWriter::motion_word(int motion) {
     return changes;
 }
 
-// What is printed for a value, whose rest is kept.
+// Returns the printed value, and keeps its remainder.
 std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
     const std::int64_t printed = units(axis, value);
     rest_[axis] = (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed);
@@ -161,7 +161,7 @@ GcodeWriter::FeedMode GcodeWriter::mode_of(const WrittenFeed& feed) const {
     return FeedMode::per_minute;
 }
 
-// An F of one mode means nothing in another.
+// An F of one mode has no meaning in another.
 void GcodeWriter::feed_mode_word(FeedMode mode) {
     if (mode == feed_mode_) return;
     feed_mode_ = mode;
@@ -174,7 +174,7 @@ void GcodeWriter::feed_mode_word(FeedMode mode) {
     }
 }
 
-// In each block, with as many digits as short and long times need.
+// F is written in each block, with the digits that short and long times need.
 void GcodeWriter::inverse_time_word(double per_min) {
     const int whole_digits = static_cast<int>(std::ceil(std::log10(per_min)));
     code("F" + trimmed(per_min, std::clamp(kSignificantDigits - whole_digits, 3, 12)));
@@ -193,7 +193,7 @@ void GcodeWriter::feed_word(const WrittenFeed& feed, double turn_rad) {
         feed_units_ = next;
         return;
     }
-    // A feed that rounds to 0 would never arrive.
+    // A feed that rounds to 0 would never reach the target.
     const std::int64_t next =
         std::max<std::int64_t>(1, feed_.units(feed.rotary ? feed.per_min : in_unit(feed.per_min)));
     if (next == feed_units_ && !options_.verbose_words) return;
@@ -248,13 +248,13 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
         const std::size_t axis = axis_of(direction);
         return units(axis, values[axis]) == at_[axis];
     });
-    // Some controls want a word of the plane to take the block for an arc.
+    // Some controllers need a word of the plane to recognise the block as an arc.
     if (full_circle) {
         for (const std::size_t direction : in_plane) at_[axis_of(direction)] = kUnknown;
     }
     std::array<std::int64_t, 3> offsets{};
     for (const std::size_t direction : in_plane) {
-        // Counted from the printed start, so that the centre is off by its own rounding alone.
+        // Relative to the printed start, so that the error of the centre is only its own rounding.
         offsets[direction] =
             length_.units(in_unit(words.center_offset_mm[direction]) + rest_[axis_of(direction)]);
     }
@@ -265,7 +265,7 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
     end_block();
 }
 
-// The point is written in full: it is where the circle differs from all others through the ends.
+// The point is written in full, because it distinguishes the circle from all others through the ends.
 void GcodeWriter::arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
                               const WrittenFeed& feed, double turn_rad) {
     const ThroughPoint& words = *post_.through_point;
@@ -282,7 +282,7 @@ void GcodeWriter::arc_through(std::span<const double> values, const std::array<d
     end_block();
 }
 
-// A time is written to the thousandth; as exactly as it is given where lengths have digits of their own.
+// A time is written to the thousandth, or as exactly as it is given if lengths have digits of their own.
 void GcodeWriter::dwell(double seconds) {
     const bool is_short = std::abs(seconds * 1000 - std::round(seconds * 1000)) < 1e-6;
     const bool is_exact = options_.decimals_mm && !is_short;

@@ -20,36 +20,36 @@
 
 namespace gsim::codegen {
 
-/// An axis of the machine that a program is for.
+/// Axis of the machine of a program.
 struct WrittenAxis {
     char letter = 'X';
     bool rotary = false;  ///< In deg, otherwise mm.
 };
 
-/// What an arc says beyond its end.
+/// Words of an arc in addition to its end.
 struct ArcWords {
     Plane plane = Plane::xy;
     bool clockwise = false;                    ///< Seen from the positive end of the axis it turns about.
     std::array<double, 3> center_offset_mm{};  ///< From the start, along X, Y and Z.
-    double turn_rad = 0;                       ///< How far it turns.
+    double turn_rad = 0;                       ///< Angle of the turn.
     int turns = 1;  ///< Circles that it begins; more than one only of a post that has a word for it.
 };
 
-/// A feed rate. Where the control can be told so, it is written as what it comes from.
+/// Feed rate. If the controller supports it, it is written in the form of its origin.
 struct WrittenFeed {
     double per_min = 0;                     ///< mm or deg
     bool rotary = false;                    ///< In deg/min: rotary axes alone move.
-    std::optional<double> duration_s = {};  ///< Of the whole move.
+    std::optional<double> duration_s = {};  ///< For the full move.
     std::optional<double> per_rev_mm = {};  ///< In a turn of the spindle.
-    std::optional<double> lead_mm = {};     ///< Of a line in step with the spindle, in a turn.
+    std::optional<double> lead_mm = {};     ///< Lead per turn of a line in step with the spindle.
 };
 
-/// A straight way along an axis until the tool touches something, by which a work offset is found.
+/// Straight path along an axis until the tool touches something, by which a work offset is found.
 struct WrittenTouch {
     char axis = 'Z';
-    std::array<double, 3> from_mm{};  ///< Where it begins.
-    double to_mm = 0;                 ///< Where it ends at most.
-    double contact_mm = 0;            ///< What the axis shall have where the touch is.
+    std::array<double, 3> from_mm{};  ///< Start point.
+    double to_mm = 0;                 ///< Max end position.
+    double contact_mm = 0;            ///< New value of the axis at the touch.
     double feed_mm_min = 0;
 };
 
@@ -57,63 +57,67 @@ struct WriterOptions {
     bool inch = false;
     bool verbose_words = false;           ///< Words are written though they have not changed.
     bool feed_modes = false;              ///< The program has feeds of several kinds.
-    std::optional<int> decimals_mm = {};  ///< In place of the post's.
+    std::optional<int> decimals_mm = {};  ///< Replaces the post's.
     bool in_machine = false;              ///< Numbers are machine coordinates, by the post's word for that.
 };
 
-/// Writes blocks of G-code by a post. Words that say nothing new are left out; what counts is what is
-/// printed, not the values behind it. It is handed values of axes and computes no kinematics.
+/// Writer of blocks of G-code by a post. Words without new content are left out; it compares the printed
+/// text, not the exact values. It receives values of axes and computes no kinematics.
 class GcodeWriter {
   public:
-    /// Takes the text in pieces of some 64 KB.
+    /// Consumer of the text in parts of some 64 KB.
     using Sink = std::function<void(std::string_view)>;
 
-    /// `post` must outlive the writer. One of the axes must be X, one Y and one Z for arcs.
+    /// Makes a writer; `post` must outlive it. One of the axes must be X, one Y and one Z for arcs.
     GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options, Sink sink);
 
-    /// What {number}, {title} and the like of the templates stand for.
+    /// Returns the values of {number}, {title} and the other placeholders of the templates.
     Places& places() { return places_; }
-    /// Lines of a post with their places filled in. They are numbered unless they begin with %, O, o or (.
+    /// Writes lines of a post with their placeholders filled in. They are numbered unless they begin with %,
+    /// O, o or (.
     void lines(const std::vector<std::string>& templates);
-    /// A block that gives the place where the machine stands these coordinates, by a word such as G92.
+    /// Writes a block that assigns these coordinates to the present position of the machine, by a word such
+    /// as G92.
     void here(std::string_view word, std::span<const double> values);
-    /// The axes stand there, though no block has led there.
+    /// Sets the position of the axes, though no block has moved them there.
     void stand(std::span<const double> values);
-    /// A work coordinate system is in force.
+    /// Sets the active work coordinate system.
     void begin_in(const std::string& name);
-    /// The post's block that selects a work coordinate system; nothing where it is in force.
+    /// Writes the post's block that selects a work coordinate system; no block if it is active.
     void work_offset(const std::string& name);
-    /// The post's block that says where a work coordinate system lies; the post must have one.
+    /// Writes the post's block that sets the origin of a work coordinate system; the post must have one.
     void set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm);
-    /// A rapid of Z alone to a machine coordinate, where the post has a word for these. Behind it all axes
+    /// Writes a rapid of Z alone to a machine coordinate, if the post has a word for it. After it all axes
     /// are written again.
     void retract(double z_mm);
-    /// The post's blocks that find by a touch where a work offset lies, which is in force; the post must have
-    /// some. The tool, which is up, comes down to the beginning of the touch, and goes back there behind it.
+    /// Writes the post's blocks that find by a touch the origin of a work offset, which is active; the post
+    /// must have some. The tool, which is up, comes down to the start of the touch, and returns there after
+    /// it.
     void touch(const std::string& system, const WrittenTouch& touch);
-    /// Rapids of some axes each, by letter, to machine coordinates; the post must have a word for these.
-    /// Behind them all axes are written again.
+    /// Writes rapids of some axes each, by letter, to machine coordinates; the post must have a word for
+    /// them. After them all axes are written again.
     void machine_rapids(const std::vector<std::map<char, double>>& steps);
-    /// The same to a reference point, from 1, by the post's words for it, of which it must have this one. Of
-    /// the steps the letters count.
+    /// Writes the same to a reference point, from 1, by the post's words for it; it must have this one. Only
+    /// the letters of the steps are used.
     void go_to_reference(int number, const std::vector<std::map<char, double>>& steps);
-    /// A rapid (without feed) or linear move to these values, one for each axis. Nothing is written where no
+    /// Writes a rapid (without feed) or linear move to these values, one for each axis. Writes no block if no
     /// word would change.
     void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);
-    /// An arc or helix; a full circle ends where it starts.
+    /// Writes an arc or helix; a full circle ends at its start.
     void arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed);
-    /// An arc through a point, whose X, Y and Z are given. Only of a post that has words for it.
+    /// Writes an arc through a point, given by its X, Y and Z. Only for a post that has words for it.
     void arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
                      const WrittenFeed& feed, double turn_rad = 0);
     void dwell(double seconds);
-    /// The post's blocks for an acceleration; nothing where it has none, or where the same one is in force.
+    /// Writes the post's blocks for an acceleration; no block if it has no such words, or if the same one is
+    /// active.
     void acceleration(double mm_s2);
-    /// The post's block for the action, or a comment where it has none.
+    /// Writes the post's block for the action, or a comment if it has no block.
     void action(std::string_view name);
     void comment(std::string_view text);
-    /// Forgets what words are in force: another program begins, or one has been called.
+    /// Clears the active words, because another program begins, or one has been called.
     void forget();
-    /// Passes on what is left.
+    /// Passes the remaining text on.
     void flush();
 
     std::uint64_t blocks() const { return blocks_; }
@@ -161,17 +165,17 @@ class GcodeWriter {
     std::vector<std::int64_t> at_;  // printed units of each axis
     std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
     std::int64_t machine_z_ =
-        kUnknown;  // printed units, where the last block has led to a place of the machine
+        kUnknown;  // printed units, if the last block has moved to a position of the machine
     int motion_ = kNoMotion;
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;
     FeedMode feed_mode_ = FeedMode::unknown;
     std::string system_;                   // the work coordinate system in force; empty: not known
-    std::vector<std::string> next_words_;  // that stand in the block of the next motion
+    std::vector<std::string> next_words_;  // for the block of the next motion
     std::int64_t acceleration_units_ = kUnknown;
 };
 
-/// A comment's text as programs may hold it: ASCII without brackets.
+/// Returns a comment's text in the form for programs: ASCII without brackets.
 std::string comment_text(std::string_view text);
 
 }  // namespace gsim::codegen

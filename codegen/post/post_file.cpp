@@ -142,7 +142,7 @@ class PostReader {
             section.fail("thread", "'thread' and 'thread_lead' go together");
     }
 
-    // A word that may be left out.
+    // Reads an optional word.
     std::string word(TomlSection& section, std::string_view key, Names places = {}) {
         if (!section.has(key)) return {};
         std::string text = section.text(key);
@@ -244,8 +244,9 @@ class PostReader {
         check_file_name(section, lines_of.file);
     }
 
-    // Programs of others bring posts along: no name may be one that means something elsewhere, and each
-    // subprogram must get one of its own. What the places stand for is made of letters, digits and '_' alone.
+    // Posts come along with programs of others, so no name may have a special meaning elsewhere. Each
+    // subprogram must get a name of its own. The values of placeholders consist only of letters, digits and
+    // '_'.
     static void check_file_name(TomlSection& section, std::string_view file) {
         std::string plain(file);
         for (const std::string_view place : kFilePlaces) {
@@ -307,7 +308,7 @@ class PostReader {
         check_text(section.where(key), key, line, places);
     }
 
-    // A line is one line, and holds no places but these.
+    // Checks that a line is one line, and has no placeholders but these.
     void check_text(const toml::source_position& where, std::string_view key, std::string_view line,
                     Names places) {
         const bool control = std::any_of(line.begin(), line.end(),

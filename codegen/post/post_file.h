@@ -12,13 +12,13 @@
 namespace gsim::codegen {
 
 /// Reads a description of a post-processor (docs/paths.md) strictly. The error is "file:line:column:
-/// sentence".
+/// message".
 tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name);
 
-/// Names of the posts that are compiled in, those of samples/posts.
+/// Returns the names of the posts that are compiled in, those of samples/posts.
 std::vector<std::string_view> built_in_posts();
 
-/// One of them by its name or, where `name` ends in .toml, that file. The error is a sentence.
+/// Returns one of them by its name or, if `name` ends in .toml, that file. The error is a message.
 tl::expected<Post, std::string> find_post(const std::string& name);
 
 }  // namespace gsim::codegen

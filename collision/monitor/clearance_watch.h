@@ -129,15 +129,15 @@ class ClearanceWatch {
     std::shared_ptr<const kinematics::Kinematics> machine_kinematics_;
     std::shared_ptr<const kinematics::Kinematics> kinematics_;  ///< Where the machine stands now.
     std::vector<int> parents_;                                  ///< Of links that go by themselves.
-    std::vector<double> drifts_since_s_;                        ///< Of those, in the stretch before.
+    std::vector<double> drifts_since_s_;                        ///< For those links, in the previous stretch.
     std::vector<Watched> pairs_;
     std::vector<Crowd> crowds_;
-    std::vector<std::size_t> due_;  ///< The pairs to look at in a stretch, in their order.
+    std::vector<std::size_t> due_;  ///< Pairs to check in a stretch, in their order.
     std::size_t stretch_ = 0;       ///< Counted from 1.
-    Leeway leeway_;                 ///< Of all pairs that count while the jet is as it was.
+    Leeway leeway_;                 ///< For all pairs that count while the jet state is unchanged.
     bool leeway_with_jet_ = false;
-    int leeway_pause_ = 0;  ///< Looks until it is sought again,
-    int next_pause_ = 1;    ///< and then the next time, where nothing was found.
+    int leeway_pause_ = 0;  ///< Checks until the next search for it,
+    int next_pause_ = 1;    ///< and the next such count, if no budget was found.
     double early_mm_ = 0;   ///< Pairs that are due within that much more are looked at in this stretch.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;

@@ -11,9 +11,9 @@ namespace gsim::cell {
 namespace {
 
 constexpr double kNear_mm = 2 * kContact_mm;
-// Distances are sought as far as so many stretches like this one go,
+// Distances are searched up to the travel of this many stretches like the current one.
 constexpr double kStretchesAhead = 64;
-// but not less far, so that what hardly moves is not looked at again and again, and no farther.
+// Min and max of that search distance. The minimum avoids repeated checks of pairs that hardly move.
 constexpr double kLeastAhead_mm = 1;
 constexpr double kMostAhead_mm = 1000;
 
@@ -21,7 +21,7 @@ bool has_jet(const CarriedBody& body) {
     return body.role == Role::jet;
 }
 
-// The jet may cut what is worked on; and two jets are no bodies.
+// Excludes jet and workpiece, because it may cut this, and two jets, which are not bodies.
 bool may_meet(const CarriedBody& first, const CarriedBody& second) {
     if (first.joints.empty() && second.joints.empty()) return false;
     if (has_jet(first)) return second.role != Role::workpiece && !has_jet(second);
@@ -42,7 +42,7 @@ void NeighbourWatch::set_bodies(std::shared_ptr<const MachineBodies> first,
     forget_distances();
 }
 
-/// Links and joints of the second machine are numbered behind those of the first (TwoMachinesMotion).
+/// Numbers links and joints of the second machine after those of the first (TwoMachinesMotion).
 void NeighbourWatch::add_pair(const CarriedBody& first, const CarriedBody& second) {
     const int joints = machines_[0]->kinematics->chain().joint_count();
     Body behind = second.body;
@@ -55,7 +55,8 @@ void NeighbourWatch::add_pair(const CarriedBody& first, const CarriedBody& secon
                       {has_jet(first), has_jet(second)}});
 }
 
-/// How far what is from what is not known any more. Pairs of jets that are off wait for them.
+/// Discards all distances between bodies, which are no longer known. Pairs with a jet that is off wait for
+/// it.
 void NeighbourWatch::forget_distances() {
     std::vector<Due> all;
     all.reserve(pairs_.size());
@@ -90,7 +91,7 @@ void NeighbourWatch::take(double start_s, double duration_s, const Going& first,
     if (!std::isfinite(way_mm)) measure_reaches(stretches, duration_s);
 }
 
-/// Whether no pair can touch meanwhile; then the way is counted as gone.
+/// Returns true if no pair can touch meanwhile; the distance is then counted as travelled.
 bool NeighbourWatch::goes_on_far(const std::array<JointTravel, 2>& travels) {
     if (due_.empty()) return true;
     const std::array ways_mm{reaches_[0].way_mm(travels[0]), reaches_[1].way_mm(travels[1])};
@@ -106,7 +107,7 @@ void NeighbourWatch::measure_reaches(const std::array<MachineStretch, 2>& stretc
         reaches_[i].measure(reach_of(*machines_[i], stretches[i].joints_at(t_s)), 0);
 }
 
-/// Where they turn so far that the way is not told (ReachBound) all pairs are looked at.
+/// Checks all pairs if the machines turn so far that ReachBound gives no distance.
 void NeighbourWatch::look(double start_s, const TwoMachinesMotion& motion, const MotionPart& whole,
                           double way_mm) {
     if (std::isfinite(way_mm)) {
@@ -123,7 +124,7 @@ void NeighbourWatch::look(double start_s, const TwoMachinesMotion& motion, const
         due_.push({gone_mm_ + look_at(start_s, motion, whole, pairs_[i], ahead_mm), i});
 }
 
-/// No nearer than this are they at the end.
+/// Returns a lower bound of their distance at the end.
 double NeighbourWatch::look_at(double start_s, const TwoMachinesMotion& motion, const MotionPart& whole,
                                Watched& pair, double ahead_mm) {
     double from_s = 0;

@@ -14,44 +14,45 @@
 
 namespace gsim::cell {
 
-/// Looks at the motion of two machines in one world, on one clock: which bodies of the first touch which of
-/// the second. As with ClearanceWatch no contact is passed over; how near they come besides is not told.
+/// Monitor of the motion of two machines in one world, on one clock: reports which bodies of the first touch
+/// which of the second. As with ClearanceWatch no contact is missed. Distances without contact are not
+/// reported.
 class NeighbourWatch {
   public:
-    /// How one of them goes from the instant on from which both are looked at.
+    /// Motion of one of the machines, from the instant at which the check of both starts.
     struct Going {
         const motion::Segment& segment;
         double from_s;  ///< Since the start of the segment.
         bool jet_on;
     };
 
-    /// Where the worlds of the machines are in that of both.
+    /// Sets the poses of the machines' worlds in the common world.
     NeighbourWatch(const rrs::CartPos& first_world, const rrs::CartPos& second_world)
         : worlds_{first_world, second_world} {}
 
-    /// What is looked at from now on: at first, and when frames have been moved. What touches then counts as
-    /// another contact.
+    /// Sets the bodies to check from now on: at first, and after frames have been moved. Bodies that touch
+    /// then count as another contact.
     void set_bodies(std::shared_ptr<const MachineBodies> first, std::shared_ptr<const MachineBodies> second);
-    /// When that time is used up nothing is looked at any longer. Null: never. `cpu` outlives this.
+    /// Ends all checks once that CPU time is used up. Null: never. `cpu` outlives this.
     void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
-    /// Both go on for that long, from `start_s` of the run's clock on.
+    /// Checks the motion of both for that duration, from `start_s` of the run's clock on.
     void take(double start_s, double duration_s, const Going& first, const Going& second);
 
-    /// How many pairs of bodies are looked at.
+    /// Returns the number of body pairs that are checked.
     std::size_t pair_count() const { return pairs_.size(); }
-    /// All so far; the first item of a pair is one of the first machine's cell, the second one of the
-    /// second's. Points are in the world of both.
+    /// Returns all contacts so far. The first item of a pair is from the first machine's cell, the second
+    /// from the second's. Points are in the common world.
     const std::vector<Contact>& contacts() const { return contacts_; }
 
   private:
     struct Watched {
         ItemPair items;
         BodyPair bodies;
-        std::array<bool, 2> jets;                           ///< Whose jet it is; none: of bodies.
+        std::array<bool, 2> jets;                           ///< True for a jet; both false: bodies.
         std::optional<std::size_t> contact = std::nullopt;  ///< In contacts_, while it lasts.
         std::optional<Eigen::Vector3d> normal = std::nullopt;
     };
-    /// A way of both together, and a pair that does not touch before it is gone.
+    /// Pair of bodies, and the combined travel of both machines before which it does not touch.
     struct Due {
         double at_mm;
         std::size_t pair;
@@ -75,7 +76,7 @@ class NeighbourWatch {
     std::vector<Watched> pairs_;
     double gone_mm_ = 0;
     DueQueue due_;
-    std::vector<std::size_t> now_;  ///< The pairs to look at in a stretch, in their order.
+    std::vector<std::size_t> now_;  ///< Pairs to check in a stretch, in their order.
     std::vector<Contact> contacts_;
     os::CpuLimit* cpu_ = nullptr;
 };

@@ -13,11 +13,12 @@ namespace {
 
 constexpr double kTip_mm = 1e-6;  // the diameter of a point
 constexpr double kLook_mm = 0.01;
-constexpr double kTurnedLook = 1e-4;  // rad, where nothing moves but by turning
+constexpr double kTurnedLook = 1e-4;  // rad, if all motion is rotation
 constexpr double kMostLooks = 100'000;
 constexpr double kInstant_s = 1e-9;
 
-/// Into how many parts a segment is cut that no body's way in one is longer than a look.
+/// Returns the number of parts into which a segment is cut, so that no body's path in one is longer than a
+/// check step.
 double look_count(const motion::Segment& segment) {
     const double turned_rad = (segment.end - segment.start).cwiseAbs().maxCoeff();
     return std::clamp(std::ceil(std::max(segment.length_mm / kLook_mm, turned_rad / kTurnedLook)), 1.0,

@@ -7,9 +7,9 @@
 
 namespace gsim::cell {
 
-/// The items of a cell that touch each other where a machine stands, for joint values in mm and rad; of pairs
-/// that may meet (meeting_pairs()), in their order. The jet is not looked at. No frame of the cell goes by
-/// itself.
+/// Returns the items of a cell that touch each other at these joint values of a machine, in mm and rad. Only
+/// pairs that may meet count (meeting_pairs()), in their order. The jet is not checked. No frame of the cell
+/// moves independently.
 std::vector<ItemPair> touching_pairs(const Cell& cell, const machine::Machine& machine,
                                      const rrs::JointPos& joints);
 

@@ -15,9 +15,9 @@ constexpr double kClearance_mm = 1e-4;
 constexpr double kTime_s = 1e-9;
 constexpr double kOut_mm = 1e-5;
 constexpr int kOverlapLooks = 24;
-constexpr int kMaxMotionParts = 20'000;  // of one search; beyond it what is known by then is the answer
+constexpr int kMaxMotionParts = 20'000;  // of one search; at the limit the result is what is known by then
 
-/// A box along the axes of a frame.
+/// Box along the axes of a frame.
 struct AxisBox {
     Vector3d middle;
     Vector3d half;
@@ -37,7 +37,7 @@ AxisBox around(const AxisBox& a, const AxisBox& b) {
     return {(low + high) / 2, (high - low) / 2};
 }
 
-/// A part of the motion that waits for a closer look.
+/// Part of the motion that waits for a closer check.
 struct Waiting {
     double lower_mm;
     MotionPart part;
@@ -73,7 +73,7 @@ Nearness BodyPair::nearness_in(const MotionPart& part, double enough_mm) const {
                           bend_mm;
     if (far_mm >= enough_mm) return {far_mm, far_mm};
     const Gap gap = gap_between(*first.shape, from, to, *second.shape, enough_mm + bend_mm);
-    // On a straight way without a turn the hull is just what the body passes.
+    // On a straight path without rotation, the hull is exactly the volume that the body passes.
     const double upper_mm = bend_mm > 0 ? enough_mm : gap.upper_mm;
     return {std::max(0.0, gap.lower_mm - bend_mm), upper_mm, fixed * gap.on_second};
 }
@@ -140,7 +140,7 @@ std::optional<double> BodyPair::first_within_s(const LinkMotion& motion, const M
     return std::nullopt;
 }
 
-// The earliest part that may hold a contact is halved until nothing is left of it; those behind it wait.
+// Halves the earliest part that may hold a contact until it is used up; later parts wait.
 std::optional<Touch> BodyPair::first_touch(const LinkMotion& motion, const MotionPart& part) const {
     constexpr double kLook_mm = 1;  // how far off a normal is still worth to be known
     std::vector<MotionPart> waiting{part};

@@ -15,10 +15,10 @@ namespace {
 
 constexpr int kSamples = 1024;
 constexpr int kMaxConvexParts = 50'000;  // of the box, for one pair of convex bodies ...
-constexpr int kMaxMeshParts = 5'000;     // ... or with a mesh, whose distances take longer
+constexpr int kMaxMeshParts = 5'000;     // ... or with a mesh, because its distances take longer
 constexpr double kFar_mm = std::numeric_limits<double>::infinity();
 
-/// A part of the joint box by its middle, half its size, and a distance that it does not fall below.
+/// Part of the joint box: its middle, half its size, and a lower bound of the distance in it.
 struct JointBoxPart {
     rrs::JointPos middle;
     rrs::JointPos half;
@@ -33,7 +33,7 @@ double sum(const std::vector<double>& values) {
 
 constexpr double kCoaxial = 1e-9;  // of a direction, and of mm
 
-// Whether a body that lies next to a joint looks the same at all its values.
+// Returns true if a body next to a joint looks the same at all values of the joint.
 bool is_round_about(const Body& body, const LinkFrames& links, const JointAxis& axis) {
     const Convex* convex = body.shape->convex();
     if (convex == nullptr || convex->core == Convex::Core::box || axis.kind == rrs::JointKind::prismatic)
@@ -46,8 +46,8 @@ bool is_round_about(const Body& body, const LinkFrames& links, const JointAxis& 
     return is_along(pose.translation() - axis.point_mm) && (sphere || is_along(pose.linear().col(2)));
 }
 
-// The joints that change the distance of two bodies: a joint about which a body is round does not, if it is
-// the one next to it.
+// Returns the joints that change the distance of two bodies. The joint next to a body does not if the body is
+// round about it.
 std::vector<int> moving_joints(const BodyPair& bodies, const kinematics::Kinematics& kinematics,
                                const rrs::JointPos& home) {
     const LinkFrames links = link_frames(kinematics, home);
@@ -85,7 +85,7 @@ class PairSearch {
     }
 
   private:
-    // Joints that do not change the distance stay at home.
+    // Keeps joints that do not change the distance at home.
     rrs::JointPos sample_joints(int number) const {
         rrs::JointPos joints = home_;
         const rrs::JointPos shares = machine::halton_point(number, static_cast<int>(joints_.size()));
@@ -95,7 +95,7 @@ class PairSearch {
         return joints;
     }
 
-    // By the shares of the joints' ranges.
+    // Sums up shares of the joints' ranges.
     double from_home(const rrs::JointPos& joints) const {
         double sum = 0;
         for (const int joint : joints_) {
@@ -126,7 +126,7 @@ class PairSearch {
         finding_.contact_share = static_cast<double>(contacts) / (kSamples + 1);
     }
 
-    // From the nearest sample on, joint by joint, in steps that are halved where none leads nearer.
+    // Descends from the nearest sample, joint by joint, in steps that are halved if none leads nearer.
     void descend() {
         for (double share = 0.125; share > 1e-5 && finding_.nearest_mm > kContact_mm;) {
             const double before = finding_.nearest_mm;
@@ -177,7 +177,7 @@ class PairSearch {
     }
 
     struct Look {
-        int joint;  ///< Where the part is best divided.
+        int joint;  ///< Joint at which to divide the part.
         double lower_mm;
     };
 
@@ -196,7 +196,7 @@ class PairSearch {
         if (here.upper_mm <= kContact_mm) finding_.verdict = Verdict::contact;
         Look found{joints_.front(), std::max(part.lower_mm, here.lower_mm - way_mm)};
         if (here.upper_mm <= kContact_mm || found.lower_mm > kContact_mm) return found;
-        // From the second body to the first, where they are nearest.
+        // Direction from the second body to the first, at their nearest points.
         const Vector3d across =
             (bodies_.second.in_world(links).linear() * (here.on_first - here.on_second)).normalized();
         const JointPart ways{axes, part.half};
@@ -212,7 +212,7 @@ class PairSearch {
         return found;
     }
 
-    // In the frame of the second body.
+    // Returns the gap in the frame of the second body.
     Gap gap_at(const LinkFrames& links, double enough_mm) const {
         const Eigen::Isometry3d pose =
             bodies_.second.in_world(links).inverse() * bodies_.first.in_world(links);

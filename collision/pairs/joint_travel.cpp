@@ -9,16 +9,16 @@ using motion::Segment;
 
 namespace {
 
-/// A part of the time of a segment.
+/// Part of the time of a segment.
 struct Span {
     double from_s;
     double to_s;
 
     double duration_s() const { return to_s - from_s; }
     double way(const motion::TimeLaw& law) const { return law.at(to_s).s - law.at(from_s).s; }
-    // A function of time is nowhere farther from its chord than an eighth of its greatest second derivative
-    // times the square of the time, unless its speed jumps inside, where a law of unlimited acceleration ends
-    // before the others; and a law never runs backwards.
+    // Returns the max distance of a function of time from its chord: an eighth of its largest second
+    // derivative times the square of the time. An exception is a speed jump inside, if a law of unlimited
+    // acceleration ends before the others. A law never runs backwards.
     double bend(const motion::TimeLaw& law) const {
         if (law.duration_s() < to_s && law.jumps()) return way(law);
         return std::min(way(law), law.peak_acceleration() * duration_s() * duration_s() / 8);
@@ -31,8 +31,8 @@ bool is_followed(const Segment& segment, int joint) {
                        [joint](const motion::Follower& follower) { return follower.joint == joint; });
 }
 
-// The tool on a great circle, which its two joints do not follow in proportion: the turning joint goes one
-// way, the tilt no farther than the tool.
+// Adds the tool's motion on a great circle, which its two joints do not follow in proportion. The turning
+// joint moves in one direction, the tilt no farther than the tool.
 void add_orientation(const Segment& segment, const Span& span, bool by_time, JointTravel& travel) {
     const double scale = segment.orientation->length_rad() / segment.lead.length();
     const double way = scale * span.way(segment.lead);
@@ -51,8 +51,8 @@ void add_orientation(const Segment& segment, const Span& span, bool by_time, Joi
     put(part.tilt_joint(), way, bounds.first.tilt, bounds.second.tilt);
 }
 
-// `by_time`: whether something moves by another law, so that "in proportion" means to the time; else it means
-// to the way of the lead, and its law bends nothing.
+// `by_time`: true if something moves by another law, so "in proportion" means to the time. Otherwise it means
+// to the distance of the leading law, and that law adds no deviation.
 void add(const Segment& segment, const Span& span, bool by_time, JointTravel& travel) {
     if (segment.kind == motion::SegmentKind::rest) return;
     const double way = span.way(segment.lead);

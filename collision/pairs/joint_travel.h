@@ -6,14 +6,14 @@
 
 namespace gsim::cell {
 
-/// How the joints move in a part of a segment, as far as it bounds how far a body can go.
+/// Motion of the joints in a part of a segment, as far as it bounds the travel of a body.
 struct JointTravel {
-    /// The length of each joint's way, mm or rad; of joints on an arc 0, as `arc_mm` counts for them
+    /// Path length of each joint, mm or rad; 0 for joints on an arc, because `arc_mm` counts for them
     /// together.
     std::array<double, rrs::kMaxJoints> way{};
-    /// How far each joint may be from where it were if all went from start to end in proportion.
+    /// Max deviation of each joint from a motion of all in proportion from start to end.
     std::array<double, rrs::kMaxJoints> bend{};
-    std::array<int, 3> arc_joints{-1, -1, -1};  ///< None where there is no arc.
+    std::array<int, 3> arc_joints{-1, -1, -1};  ///< -1 without an arc.
     double arc_mm = 0;
     double arc_bend_mm = 0;  ///< As `bend`, of the point that moves on the arc.
 
@@ -21,8 +21,8 @@ struct JointTravel {
     bool moves() const;
 };
 
-/// The travel between two times, in s since the start of the segment. `by_time`: something else moves
-/// meanwhile, so that bends are those over time; else they are those over the way of the lead.
+/// Returns the travel between two times, in s since the start of the segment. `by_time`: something else moves
+/// meanwhile, so deviations are over time; otherwise they are over the distance of the leading law.
 JointTravel travel_of(const motion::Segment& segment, double from_s, double to_s, bool by_time = false);
 
 }  // namespace gsim::cell

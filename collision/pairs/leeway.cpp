@@ -7,13 +7,13 @@ namespace gsim::cell {
 
 namespace {
 
-// What turns farther in one motion is looked at.
+// Rotation in one motion above which a check is needed.
 constexpr double kMostTurn_rad = 0.5;
 
 }  // namespace
 
-// No point goes farther than all slides together and each angle times its distance from that axis. That
-// distance grows by no more than the point goes, so that way = slides + sum of angle (reach + way).
+// Adds up all slides, and each angle times the point's distance from that axis: no point moves farther. That
+// distance grows by at most the travel of the point, so travel = slides + sum of angle (reach + travel).
 double ReachBound::way_mm(const JointTravel& travel) const {
     double slides_mm = kSkewedArc * travel.arc_mm;
     double turn_rad = 0;

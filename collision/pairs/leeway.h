@@ -7,17 +7,17 @@
 
 namespace gsim::cell {
 
-/// How far the points of a machine's bodies go at most, known from how its joints go alone.
+/// Upper bound of the travel of the points of a machine's bodies, known from its joint motion alone.
 class ReachBound {
   public:
-    /// Reaches of the joints, as they are where points have gone no more than `since_mm` since.
+    /// Sets the reaches of the joints, measured at a pose since which points have moved at most `since_mm`.
     void measure(const JointReach& reach_mm, double since_mm) {
         reach_mm_ = reach_mm;
         since_mm_ = since_mm;
     }
-    /// Infinite where the joints turn so far that it is not told.
+    /// Returns infinity if the joints turn so far that no bound is known.
     double way_mm(const JointTravel& travel) const;
-    /// The points have gone that far.
+    /// Adds that travel of the points.
     void go_on(double way_mm) { since_mm_ += way_mm; }
 
   private:
@@ -25,19 +25,20 @@ class ReachBound {
     double since_mm_ = 0;
 };
 
-/// How far a machine may go before any of its bodies can come near another one, so that motion far from
-/// everything need not be looked at body by body.
+/// Separation budget: distance that a machine may move before any of its bodies can come near another one. So
+/// motion far from everything needs no check body by body.
 class Leeway {
   public:
-    /// No two bodies come near each other before they have gone `slack_mm` against each other. Since the
-    /// reaches were measured no point of a body has gone more than `since_mm`.
+    /// Sets the budget: no two bodies come near each other before they have moved `slack_mm` relative to each
+    /// other. Since the reaches were measured no point of a body has moved more than `since_mm`.
     void set(double slack_mm, const JointReach& reach_mm, double since_mm);
     void clear() { slack_mm_ = 0; }
-    /// Whether that motion uses up no more than is left; then it is counted as gone.
+    /// Returns true if that motion uses up no more than the remaining budget; it is then counted as
+    /// travelled.
     bool take(const JointTravel& travel);
-    /// Whether there is so much that it pays to use it for motion that goes as far as that.
+    /// Returns true if the budget is large enough to be useful for motion of that length.
     static bool pays(double slack_mm, double way_mm) { return slack_mm > kLeastMotions * way_mm; }
-    /// How far all bodies may have gone in motion that was taken, and from now on 0.
+    /// Returns the max travel of all bodies in accepted motion, and resets it to 0.
     double release_gone_mm();
 
   private:

@@ -5,7 +5,7 @@
 
 namespace gsim::cell {
 
-/// A part of a motion's time, in s since its start: where the links are at both ends, and how they go.
+/// Part of a motion's time, in s since its start: the link frames at both ends, and their motion.
 struct MotionPart {
     double from_s;
     double to_s;
@@ -16,7 +16,7 @@ struct MotionPart {
     double middle_s() const { return from_s + (to_s - from_s) / 2; }
 };
 
-/// How the links of a machine, or of several in one world, go for a time.
+/// Motion of the links of a machine, or of several in one world, for a time.
 class LinkMotion {
   public:
     virtual ~LinkMotion() = default;

@@ -14,7 +14,7 @@ bool moves_with_links(Role role) {
     return role == Role::machine || role == Role::jet;
 }
 
-/// The pairs of a cell that may touch each other, to be looked up.
+/// Lookup of the pairs of a cell that may touch each other.
 class IgnoredPairs {
   public:
     explicit IgnoredPairs(const Cell& cell) {
@@ -22,7 +22,7 @@ class IgnoredPairs {
         for (const auto& [a, b] : cell.ignored) pairs_.emplace_back(std::minmax(a, b));
         std::sort(pairs_.begin(), pairs_.end());
     }
-    /// With `a` before `b`.
+    /// Expects `a` before `b`.
     bool hold(std::size_t a, std::size_t b) const {
         return std::binary_search(pairs_.begin(), pairs_.end(), std::pair(a, b));
     }
@@ -31,7 +31,7 @@ class IgnoredPairs {
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;
 };
 
-/// The joints between two links, found once for each two of them.
+/// Joints between two links, found once for each pair of links.
 class LinkJoints {
   public:
     LinkJoints(const Cell& cell, const kinematics::Kinematics& kinematics)
@@ -49,8 +49,8 @@ class LinkJoints {
     std::map<std::pair<int, int>, std::vector<int>> joints_;
 };
 
-// Bodies that do not move against each other cannot meet. Parts of the machine next to each other in the
-// chain are made to touch.
+// Excludes bodies that do not move relative to each other, because they cannot meet. Neighbouring parts of
+// the machine in the chain are made to touch.
 std::optional<MeetingPair> meeting_pair(const Cell& cell, LinkJoints& joints, const IgnoredPairs& ignored,
                                         std::size_t a, std::size_t b) {
     const Role role_a = cell.items[a].role;
@@ -63,12 +63,12 @@ std::optional<MeetingPair> meeting_pair(const Cell& cell, LinkJoints& joints, co
     if (jet && (role_a == Role::workpiece || role_b == Role::workpiece)) return std::nullopt;
     const Body of_a = body_of(cell, a);
     const Body of_b = body_of(cell, b);
-    // What stands in the world is the one at rest.
+    // A body that is fixed in the world is the one at standstill.
     if (of_b.link == 0) return MeetingPair{{a, b}, jet, {of_a, of_b, between}};
     return MeetingPair{{b, a}, jet, {of_b, of_a, {between.rbegin(), between.rend()}}};
 }
 
-/// For each item the next one that is not on its link: what is in between never meets it.
+/// Returns for each item the next one that is not on its link: items in between never meet it.
 std::vector<std::size_t> next_on_other_links(const Cell& cell) {
     const auto link = [&](std::size_t item) { return cell.frames.link(cell.items[item].frame); };
     std::vector<std::size_t> next(cell.items.size(), cell.items.size());

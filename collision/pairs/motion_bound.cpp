@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kOrthogonal = 1e-9;
 
-/// How far a body's points are from an axis at most.
+/// Returns the max distance of a body's points from an axis.
 double reach(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
     return axis.cross(body.middle_mm - point_mm).norm() + body.radius_mm;
 }
 
-/// Prismatic joints that follow each other: together they go as their ways add up at right angles, or, where
-/// they are not at right angles, one behind the other.
+/// Prismatic joints that follow each other. Their distances add up at right angles or, if they are not at
+/// right angles, one after the other.
 class Slides {
   public:
     void add(const Eigen::Vector3d& direction, double way_mm) {
@@ -31,7 +31,7 @@ class Slides {
         sum_ += way_mm;
         square_ += way_mm * way_mm;
     }
-    /// An arc in the space of some of the joints: its length counts for all of them.
+    /// Adds an arc in the space of some of the joints: its length counts for all of them.
     void add_arc(double way_mm) {
         if (has_arc_) return;
         has_arc_ = true;
@@ -49,7 +49,7 @@ class Slides {
     double square_ = 0;
 };
 
-/// Adds up the joints from the body on.
+/// Sum over the joints, from the body on.
 class BoundSum {
   public:
     explicit BoundSum(const Ball& body) : body_(body) {}
@@ -62,7 +62,7 @@ class BoundSum {
         slides_.add_arc(way_mm);
         slide_bends_.add_arc(bend_mm);
     }
-    /// A slide in any direction.
+    /// Adds a slide in any direction.
     void drift(double way_mm) {
         end_slides();
         bound_.way_mm += way_mm;
@@ -74,7 +74,7 @@ class BoundSum {
         bound_.bend_mm += bend * reach_mm;
         bound_.way_mm += angle * reach_mm;
     }
-    /// Slides that follow do not add up with those so far.
+    /// Closes the current slides, because later ones do not add up with them.
     void end_slides() {
         bound_.way_mm += slides_.way_mm();
         bound_.bend_mm += slide_bends_.way_mm();

@@ -5,8 +5,8 @@
 
 namespace gsim::cell {
 
-/// The motion of a machine's links in a segment, in s since its start, and of links that go by themselves
-/// meanwhile. All must outlive this.
+/// Motion of a machine's links in a segment, in s since its start, and of links that move independently
+/// meanwhile. All arguments must outlive this.
 class SegmentMotion final : public LinkMotion {
   public:
     SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment,

@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The greatest place of a body along a direction.
+/// Returns the largest coordinate of a body along a direction.
 double extent_mm(const Body& body, const LinkFrames& links, const Vector3d& direction) {
     const Eigen::Isometry3d pose = body.in_world(links);
     const Vector3d own = pose.linear().transpose() * direction;
@@ -30,7 +30,7 @@ std::vector<double> ways_along_mm(const Ball& body, const JointPart& part, std::
     const auto axis_of = [&](int joint) -> const JointAxis& {
         return part.axes[static_cast<std::size_t>(joint)];
     };
-    double turns_behind_rad = 0;  // of the joints behind the present one, which turn what it does
+    double turns_behind_rad = 0;  // of the joints after the current one, which turn its motion
     for (const int joint : between) {
         if (axis_of(joint).kind == rrs::JointKind::revolute) turns_behind_rad += part.half[joint];
     }

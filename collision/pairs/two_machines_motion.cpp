@@ -27,7 +27,7 @@ rrs::JointPos MachineStretch::joints_at(double t_s) const {
 }
 
 JointTravel MachineStretch::travel(double begin_s, double end_s) const {
-    constexpr bool kByTime = true;  // the other machine goes by laws of its own
+    constexpr bool kByTime = true;  // the other machine moves by different laws
     return travel_of(segment, time_in(segment, from_s + begin_s), time_in(segment, from_s + end_s), kByTime);
 }
 

@@ -6,21 +6,22 @@
 
 namespace gsim::cell {
 
-/// How a machine goes on from an instant of a segment.
+/// Motion of a machine from an instant of a segment on.
 struct MachineStretch {
     const kinematics::Kinematics& kinematics;
-    const rrs::CartPos& world;  ///< Of the machine, in the world of both.
+    const rrs::CartPos& world;  ///< World of the machine in that of both.
     const motion::Segment& segment;
     double from_s;  ///< Since the start of the segment.
 
-    /// At a time since that instant; where the segment has ended the machine stands.
+    /// Returns the joint values at a time since that instant; after the end of the segment the machine is at
+    /// standstill.
     rrs::JointPos joints_at(double t_s) const;
-    /// Between two such times.
+    /// Returns the travel between two such times.
     JointTravel travel(double from_s, double to_s) const;
 };
 
-/// Two machines in one world, both from an instant on. The links of the second are numbered behind those of
-/// the first, and so are its joints. All must outlive this.
+/// Two machines in one world, both from an instant on. Links and joints of the second are numbered after
+/// those of the first. All arguments must outlive this.
 class TwoMachinesMotion final : public LinkMotion {
   public:
     TwoMachinesMotion(const MachineStretch& first, const MachineStretch& second) : machines_{first, second} {}

@@ -1,5 +1,5 @@
-// gsim-rcs-host: the process in which a controller module runs. gsim begins it, and talks to it as
-// rcs_shared.h tells.
+// gsim-rcs-host: the process in which a controller module runs. gsim starts it and communicates with it as
+// defined in rcs_shared.h.
 
 #include <algorithm>
 #include <array>
@@ -43,9 +43,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kUsage = 2;
-constexpr auto kLongestAhead = std::chrono::milliseconds(100);  // of steps between two answers
+constexpr auto kLongestAhead = std::chrono::milliseconds(100);  // of steps between two responses
 
-/// Crashes are seen from outside as signals, and take no disk; memory is not taken without end.
+/// Crashes are visible from outside as signals and use no disk space; memory use is limited.
 void bound_process(std::uint64_t memory_bytes) {
     const rlimit none{};
     ::setrlimit(RLIMIT_CORE, &none);
@@ -60,8 +60,9 @@ void bound_process(std::uint64_t memory_bytes) {
 #endif
 }
 
-/// Where the other end is closed nobody waits for this process, whatever the module is at: it ends with all
-/// that the module has begun in its group. In a thread, as a module may not return, and may block signals.
+/// If the other end is closed, no caller waits for this process, whatever the module is doing. It ends with
+/// all processes that the module has started in its group. It uses a thread, because a module may not return,
+/// and may block signals.
 void end_with_caller(int socket) {
     std::thread([socket] {
         pollfd closed{.fd = socket, .events = 0, .revents = 0};
@@ -77,7 +78,7 @@ double process_time_s() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The parameters of the machine, which lie in the memory as texts.
+/// Returns the parameters of the machine, which are stored in the memory as texts.
 std::vector<gsim_rcs_parameter> parameters(const RcsMemory& memory) {
     std::vector<gsim_rcs_parameter> found;
     const char* text = memory.texts();
@@ -95,7 +96,7 @@ class Host {
     Host(std::string path, int socket, const RcsMemory& memory)
         : path_(std::move(path)), socket_(socket), memory_(memory), shared_(memory.shared()) {}
 
-    /// Until the end is asked for.
+    /// Serves requests until the end is requested.
     void serve();
 
   private:
@@ -144,7 +145,7 @@ std::int32_t Host::answer_to(const RcsQuestion& question) {
     return question.request == RcsRequest::steps ? make_steps() : call(question.opcode);
 }
 
-/// 0, or 1 and a sentence.
+/// Returns 0, or 1 and a message.
 std::int32_t Host::load() {
     gsim_rcs_machine machine = shared_.machine;
     const std::vector<gsim_rcs_parameter> texts = parameters(memory_);
@@ -162,13 +163,13 @@ std::int32_t Host::load() {
     return 0;
 }
 
-/// The module says nothing of its own death: what it was in is written down before.
+/// The module cannot report its own crash, so its current service is recorded before the call.
 std::int32_t Host::serve(std::int32_t opcode, const void* input, void* output) {
     shared_.serves.store(opcode, std::memory_order_relaxed);
     return module_->call(opcode, input, output);
 }
 
-/// The module gets structures of this process: what it writes beside them does not reach the shared ones.
+/// The module gets structures of this process, so that writes beyond them do not reach the shared ones.
 std::int32_t Host::call_once(std::int32_t opcode) {
     const RcsSizes sizes = rcs_sizes(opcode);
     std::memcpy(input_.data(), shared_.input.data(), sizes.input);
@@ -191,7 +192,7 @@ std::int32_t Host::call(std::int32_t opcode) {
     return status;
 }
 
-/// Whether the caller goes on; it does not where the module has no such service.
+/// True if the caller continues; it does not if the module has no such service.
 bool Host::ask_target(RcsSharedStep& step) {
     gsim_rcs_target_id target = shared_.no_target;
     const std::int32_t status = serve(GSIM_RCS_GET_TARGET_OF_LAST_STEP, nullptr, &target);
@@ -211,7 +212,7 @@ std::int32_t Host::make_step(RcsSharedStep& step) {
     return step.status;
 }
 
-/// The last status; GSIM_RCS_SUCCESS where it is to go on.
+/// Returns the last status; GSIM_RCS_SUCCESS if the steps are to continue.
 std::int32_t Host::make_steps() {
     const auto until = Clock::now() + kLongestAhead;
     const bool to_end = shared_.ahead == static_cast<std::int32_t>(RcsAhead::to_end);
@@ -219,7 +220,7 @@ std::int32_t Host::make_steps() {
     for (std::uint32_t i = 0; i < kStepsAtOnce; ++i) {
         RcsSharedStep& step = shared_.steps[i];
         const std::int32_t status = make_step(step);
-        // Has to be seen before the next call, which may be the module's last.
+        // Must be visible before the next call, which may be the module's last.
         shared_.step_count.store(i + 1, std::memory_order_release);
         if (step.target_status == kUnanswered && !ask_target(step)) return GSIM_RCS_SUCCESS;
         const bool goes_on = status == GSIM_RCS_SUCCESS || (to_end && status == GSIM_RCS_TARGET_REACHED);
@@ -231,7 +232,7 @@ std::int32_t Host::make_steps() {
 
 int run(const std::string& path) {
     auto memory = RcsMemory::of(kHostMemory);
-    // One of its own for each thread, away from where a module may look for descriptors.
+    // A separate descriptor for each thread, away from numbers at which a module may look for descriptors.
     const int socket = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     const int watched = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     if (!memory || socket < 0 || watched < 0) {

@@ -1,4 +1,4 @@
-// In place of rcs_process.cpp, where the program is a guest of WebAssembly, which begins no processes.
+// Replaces rcs_process.cpp in the WebAssembly build, which cannot start processes.
 #include "controller/module/rcs_process.h"
 
 namespace gsim::rrs {

@@ -15,29 +15,29 @@
 #include "controller/module/rcs_module.h"
 #include "controller/module/rcs_values.h"
 
-// What services take and give, as the structures of rcs_module.h have it and as methods of Shell do. A
-// structure is told here by its fields, in the order of the values that they stand for.
+// Inputs and outputs of services, as the structures of rcs_module.h and as methods of Shell have them. A
+// structure is described here by its fields, in the order of the values that they represent.
 namespace gsim::rrs {
 
-/// Stands for a service's lack of an input or an output.
+/// Represents the missing input or output of a service.
 struct gsim_rcs_none {};
 
-/// Why a value does not fit in its field.
+/// Reason why a value does not fit in its field.
 struct Misfit {
     std::string_view subject;  ///< "The name of the frame"; empty: the service.
-    std::string_view fault;    ///< The rest of the sentence: "is too long".
+    std::string_view fault;    ///< Remainder of the message: "is too long".
 };
 
 namespace codec {
 
-/// A text, and what it is for messages.
+/// A text, and its name in messages.
 template <typename Place>
 struct Text {
     Place& place;
     std::string_view what;
 };
 
-/// A list and its count; Value is const where it is read.
+/// A list and its count; Value is const if it is read.
 template <typename Value, typename Count>
 struct List {
     Value* values;
@@ -55,7 +55,7 @@ List<Value, Count> list(Value (&values)[size], Count& count) {
     return {values, count};
 }
 
-// Fields of each structure; `s` is const where they are read.
+// Fields of each structure; `s` is const if they are read.
 #define GSIM_RCS_FIELDS(structure, ...)                            \
     template <typename Place>                                      \
     requires std::is_same_v<std::remove_const_t<Place>, structure> \
@@ -98,7 +98,7 @@ GSIM_RCS_FIELDS(gsim_rcs_event, std::tie(s.event, s.time_s))
 GSIM_RCS_FIELDS(gsim_rcs_target_id, std::tie(s.id))
 #undef GSIM_RCS_FIELDS
 
-// put_in() fills a field in, taken_from() reads it.
+// put_in() fills a field, taken_from() reads it.
 
 template <typename Field, typename Value>
 requires std::is_arithmetic_v<Field> std::optional<Misfit> put_in(
@@ -174,14 +174,14 @@ bool is_sound(const List<Value, Count>& field) {
     return field.count >= 0 && field.count <= GSIM_RCS_MAX_JOINTS;
 }
 
-/// A parameter's value that is of no joint says so in C.
+/// True for a parameter's value without a joint, which the C structure still contains.
 template <typename Place, std::size_t count>
 inline constexpr bool kWithoutJoint = std::is_same_v<Place, gsim_rcs_parameter_value>&& count == 2;
 
 }  // namespace codec
 
-/// Fills a structure in from values, in their order; further fields stay as they are: services may share a
-/// structure. What does not fit is told.
+/// Fills a structure from values, in their order. Further fields stay as they are, because services may share
+/// a structure. Returns an error for a value that does not fit.
 template <typename Place, typename... Values>
 std::optional<Misfit> put(Place& place, const Values&... values) {
     if constexpr (codec::kWithoutJoint<Place, sizeof...(values)>) {
@@ -198,7 +198,7 @@ std::optional<Misfit> put(Place& place, const Values&... values) {
     }
 }
 
-/// The first `count` values of a structure; none where it has a count out of range.
+/// Returns the first `count` values of a structure; none if it has a count out of range.
 template <std::size_t count, typename Place>
 auto take(const Place& place) {
     const auto fields = codec::fields(place);

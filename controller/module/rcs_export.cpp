@@ -8,7 +8,7 @@
 
 struct gsim_rcs_module {
     std::unique_ptr<gsim::rrs::Shell> shell;
-    std::string trouble;  // of an exception, until it has been told
+    std::string trouble;  // message of an exception until it is reported
 };
 
 namespace gsim::rrs {
@@ -24,7 +24,7 @@ Status serve(Shell& shell, Method method, const void* in, void* out) {
     typename ServiceTraits<Method>::Outputs outputs{};
     const Status status = call(shell, method, *inputs, outputs);
     if constexpr (!std::is_same_v<Output, gsim_rcs_none>) {
-        // A message that is too long is cut.
+        // A message that is too long is truncated.
         if (!is_refused(status))
             std::apply([out](const auto&... values) { put(*static_cast<Output*>(out), values...); }, outputs);
     }
@@ -44,7 +44,7 @@ Status answer(Shell& shell, std::int32_t asked, const void* in, void* out) {
     }
 }
 
-/// The text of the exception that is being handled.
+/// Returns the text of the exception that is being handled.
 std::string current_trouble() {
     try {
         throw;

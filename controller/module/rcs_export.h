@@ -11,16 +11,17 @@
 
 namespace gsim::rrs {
 
-/// Any Shell as a controller module: a library's functions of rcs_module.h call these.
+/// Adapter of any Shell to a controller module: a library's functions of rcs_module.h call these.
 
-/// The error is a sentence.
+/// Function that creates a Shell; the error is a message.
 using ShellFactory = tl::expected<std::unique_ptr<Shell>, std::string> (*)(const gsim_rcs_machine& machine);
 
-/// As gsim_rcs_create(); an exception of the factory is an error with its text.
+/// Works as gsim_rcs_create(); an exception of the factory is an error with its text.
 gsim_rcs_module* create_exported(ShellFactory make, const gsim_rcs_machine* machine,
                                  gsim_rcs_message* message) noexcept;
 void destroy_exported(gsim_rcs_module* module) noexcept;
-/// As gsim_rcs_call(); an exception of the Shell answers GSIM_RCS_FAULT, with its text as the message.
+/// Works as gsim_rcs_call(); after an exception of the Shell it returns GSIM_RCS_FAULT, with its text as the
+/// message.
 std::int32_t call_exported(gsim_rcs_module* module, std::int32_t opcode, const void* input,
                            void* output) noexcept;
 

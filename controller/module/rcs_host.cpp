@@ -38,7 +38,7 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(co
     const std::shared_ptr<RcsLibrary> library(new RcsLibrary);
     library->name_ = std::filesystem::path(path).filename().string();
     const std::string& name = library->name_;
-    // An absolute path: the loader looks for a bare name in the system's folders.
+    // The path is absolute, because the loader searches a bare name in the system's folders.
     library->handle_ = ::dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library->handle_ == nullptr)
         return tl::unexpected(fmt::format("cannot load the controller module {}: {}", name, load_error()));
@@ -61,7 +61,7 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(co
     return library;
 }
 
-/// Empty, or why the module cannot be used.
+/// Returns an empty text, or why the module cannot be used.
 std::string RcsLibrary::try_out(const std::shared_ptr<const RcsLibrary>& library,
                                 const gsim_rcs_machine& machine) {
     auto module = RcsModule::create(library, machine);
@@ -127,7 +127,7 @@ class LoadedModule final : public RcsCalls {
 
   private:
     std::shared_ptr<const RcsLibrary> library_;
-    Handle handle_;  // goes before its library
+    Handle handle_;  // destroyed before its library
 };
 
 tl::expected<RcsModule, std::string> RcsModule::create(std::shared_ptr<const RcsLibrary> library,

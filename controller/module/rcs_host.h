@@ -16,21 +16,21 @@ namespace gsim::rrs {
 /// A loaded library with a controller module in it (rcs_module.h).
 class RcsLibrary {
   public:
-    /// Loads the library at `path`, which is tried out in a child process first: loaded, a module created for
-    /// `machine`, initialized and destroyed. The error is a sentence that names the library: no such file, no
-    /// module, another version, a service missing that each needs, a crash (in the trial; none later is
-    /// caught), no answer within `trial_ms`.
+    /// Loads the library at `path`, which is first tried in a child process: loaded, a module created for
+    /// `machine`, initialized and destroyed. The error is a message that names the library: no such file, no
+    /// module, another version, a missing required service, no response within `trial_ms`, or a crash (in the
+    /// trial; later ones are not caught).
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load(const std::string& path,
                                                                              const gsim_rcs_machine& machine,
                                                                              int trial_ms = 10'000);
-    /// load() that tries it out in this process, where a crash is a crash of the process.
+    /// Works as load(), but tries it in this process, in which a crash is a crash of the process.
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load_here(
         const std::string& path, const gsim_rcs_machine& machine);
     RcsLibrary(const RcsLibrary&) = delete;
     RcsLibrary& operator=(const RcsLibrary&) = delete;
     ~RcsLibrary();
 
-    /// The file name without its folder.
+    /// Returns the file name without its folder.
     const std::string& name() const { return name_; }
 
   private:
@@ -48,15 +48,15 @@ class RcsLibrary {
     decltype(&gsim_rcs_call) call_ = nullptr;
 };
 
-/// One controller of a library, in this process or in one of its own (rcs_process.h).
+/// One controller of a library, in this process or in a separate one (rcs_process.h).
 class RcsModule {
   public:
     explicit RcsModule(std::unique_ptr<RcsCalls> calls) : calls_(std::move(calls)) {}
-    /// In this process. The error is a sentence that names the library.
+    /// Creates a controller in this process. The error is a message that names the library.
     static tl::expected<RcsModule, std::string> create(std::shared_ptr<const RcsLibrary> library,
                                                        const gsim_rcs_machine& machine);
 
-    /// As of RcsCalls.
+    /// Returns the name, as in RcsCalls.
     const std::string& name() const { return calls_->name(); }
     std::int32_t call(std::int32_t opcode, const void* input, void* output) {
         return calls_->call(opcode, input, output);
@@ -69,7 +69,7 @@ class RcsModule {
     std::unique_ptr<RcsCalls> calls_;
 };
 
-/// The text in an array of `size` bytes; cut where no zero byte ends it.
+/// Returns the text in an array of `size` bytes; truncated if it has no final zero byte.
 std::string rcs_text(const char* text, std::size_t size);
 
 }  // namespace gsim::rrs

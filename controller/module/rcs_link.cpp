@@ -26,7 +26,7 @@ namespace gsim::rrs {
 
 namespace {
 
-constexpr int kSlice_ms = 100;      // how often a process that does not answer is looked at
+constexpr int kSlice_ms = 100;      // interval of checks of a process that does not respond
 constexpr int kFarewell_ms = 2000;  // for gsim_rcs_destroy and what the module does at exit
 constexpr int kDeath_ms = 1000;
 constexpr int kAboveFixed = 16;  // descriptors that dup2 to those of the host does not meet
@@ -39,7 +39,7 @@ os::Descriptor lifted(const os::Descriptor& descriptor) {
     return os::Descriptor(::fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kAboveFixed));
 }
 
-/// Our end and the host's.
+/// Returns our end and that of the host.
 tl::expected<std::pair<os::Descriptor, os::Descriptor>, int> make_sockets(int slice_ms) {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -145,7 +145,7 @@ RcsLink::~RcsLink() {
     end();
 }
 
-/// Whether the process has ended; it is not buried yet, so that nobody else has its number.
+/// True if the process has ended; it is not reaped yet, so that no other process has its number.
 bool RcsLink::has_ended() const {
     siginfo_t ended{};
     return ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -160,7 +160,7 @@ bool RcsLink::wait_for_end(int milliseconds) const {
     return has_ended();
 }
 
-/// A program that is confined may not send signals; then the host ends as it finds that nobody is there.
+/// A confined program may not send signals; then the host ends after it finds that the other end is closed.
 void RcsLink::end() {
     if (status_) return;
     ::kill(-process_, SIGKILL);
@@ -190,7 +190,7 @@ void RcsLink::lose_ended() {
     }
 }
 
-/// Time is counted in what was waited for: not while this program was stopped.
+/// Only the time of waiting counts: not the time while this program was stopped.
 bool RcsLink::receive(RcsAnswer& answer) {
     std::array<char, sizeof answer + 1> packet{};
     for (int waited_ms = 0;;) {

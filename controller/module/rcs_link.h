@@ -15,19 +15,20 @@
 
 namespace gsim::rrs {
 
-/// How a process was lost, in two parts: "crashed", " (signal 11)". Where it happened goes between or behind.
+/// Cause of the loss of a process, in two parts: "crashed", " (signal 11)". The place of the loss is inserted
+/// between them or added at the end.
 struct RcsLoss {
     std::string what;
     std::string why;
-    std::int32_t service = 0;  ///< What the module was in; 0: in none.
+    std::int32_t service = 0;  ///< Active service of the module; 0: none.
 };
 
-/// Memory that two processes share: a struct RcsShared, and texts behind it.
+/// Memory that two processes share: a struct RcsShared, followed by texts.
 class RcsMemory {
   public:
-    /// The error is errno.
+    /// Creates the memory. The error is errno.
     static tl::expected<std::unique_ptr<RcsMemory>, int> make(std::size_t texts_size);
-    /// That of `descriptor`, as the other process sees it.
+    /// Returns the memory of `descriptor`, as the other process sees it.
     static tl::expected<std::unique_ptr<RcsMemory>, int> of(int descriptor);
     RcsMemory(const RcsMemory&) = delete;
     RcsMemory& operator=(const RcsMemory&) = delete;
@@ -48,7 +49,7 @@ class RcsMemory {
     std::size_t size_;
 };
 
-/// A gsim-rcs-host at work, and the way to it.
+/// A running gsim-rcs-host, and the connection to it.
 class RcsLink {
   public:
     static tl::expected<std::unique_ptr<RcsLink>, std::string> begin(const std::filesystem::path& program,
@@ -57,11 +58,11 @@ class RcsLink {
                                                                      const RcsProcessLimits& limits);
     RcsLink(const RcsLink&) = delete;
     RcsLink& operator=(const RcsLink&) = delete;
-    /// Ends the process, and those that the module has begun in its group.
+    /// Ends the process, and those that the module has started in its group.
     ~RcsLink();
 
     RcsShared& shared() const { return memory_->shared(); }
-    /// What is answered; nothing where the process is lost.
+    /// Sends a request and returns the response; nothing if the process is lost.
     std::optional<std::int32_t> ask(RcsRequest request, std::int32_t opcode = 0);
     const std::optional<RcsLoss>& loss() const { return loss_; }
     double cpu_s() const { return cpu_s_; }
@@ -81,9 +82,9 @@ class RcsLink {
     int answer_ms_;
     int slice_ms_;
     std::uint64_t number_ = 0;
-    std::int32_t awaited_ = 0;  ///< The service whose answer is waited for; 0: none.
+    std::int32_t awaited_ = 0;  ///< Service with a pending response; 0: none.
     double cpu_s_ = 0;
-    std::optional<int> status_;  ///< Of the process, as waitpid() has it.
+    std::optional<int> status_;  ///< Status of the process, as of waitpid().
     std::optional<RcsLoss> loss_;
 };
 

@@ -1,13 +1,15 @@
 #ifndef GSIM_RCS_MODULE_H
 #define GSIM_RCS_MODULE_H
 
-/* The C interface of a controller module: a shared library in which the maker of a controller ships its own
+/*
+ *  The C interface of a controller module: a shared library in which the maker of a controller ships its own
  * planner, for gsim-run --rcs. C11 and C++, no dependencies. docs/controller-modules.md shows one.
  *
  * Units: mm for lengths and prismatic joints, rad for angles and revolute joints, s for times. All text is
- * UTF-8 and ends with a zero byte. What the host passes is valid during the call alone. A module may be
- * created several times in a process; a call comes from one thread at a time for each. No exception may leave
- * a function of a module. */
+ * UTF-8 and ends with a zero byte. Data that the host passes are valid only during the call. A module may be
+ * created several times in a process; for each instance, calls come from one thread at a time. No exception
+ * may leave a function of a module.
+ */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -16,9 +18,11 @@
 extern "C" {
 #endif
 
-/* Raised with every change that breaks modules, such as a field in a structure; host and module must agree on
- * it. New opcodes do not raise it: a module answers GSIM_RCS_NOT_SUPPORTED for a number that it does not
- * know. 2: gsim_rcs_joint.max_deceleration and row. */
+/*
+ *  Version, raised with every change that breaks modules, such as a field in a structure; host and module
+ *  must agree on it. New opcodes do not raise it: a module returns GSIM_RCS_NOT_SUPPORTED for a number that
+ *  it does not know. 2: gsim_rcs_joint.max_deceleration and row.
+ */
 #define GSIM_RCS_VERSION 2
 
 #define GSIM_RCS_MAX_JOINTS 16
@@ -31,8 +35,10 @@ extern "C" {
 #define GSIM_RCS_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* --- What a service answers: 0 success; negative: an error after which nothing has changed; positive:
- * success with something to tell. Any other number is a fault of the module. --- */
+/*
+ *  --- Status of a service: 0 success; negative: an error after which nothing has changed; positive: success
+ *  with additional information. Any other number is an error of the module. ---
+ */
 
 enum gsim_rcs_status {
     GSIM_RCS_SUCCESS = 0,
@@ -54,16 +60,18 @@ enum gsim_rcs_status {
     GSIM_RCS_FAULT = -13       /* the module is broken, such as out of memory; the run ends */
 };
 
-/* --- The machine, as gsim_rcs_create() gets it --- */
+/*  --- The machine, as passed to gsim_rcs_create() --- */
 
 enum gsim_rcs_joint_kind { GSIM_RCS_PRISMATIC = 0, GSIM_RCS_REVOLUTE = 1 };
 
-/* How poses become joint values: not at all; three slides and up to two rotary joints; any chain. */
+/*  Inverse kinematics of the machine: none; three slides and up to two rotary joints; any chain. */
 enum gsim_rcs_inverse { GSIM_RCS_NO_INVERSE = 0, GSIM_RCS_GANTRY = 1, GSIM_RCS_NUMERIC = 2 };
 
-/* A joint and its row of the Denavit-Hartenberg table, Rz(theta) Tz(d) Tx(a) Rx(alpha), where the joint's
- * value is added to d (prismatic) or theta (revolute). Limits are infinite where there are none. The table
- * leads from the work to the tool; joints that carry the work come first in it, whatever their numbers. */
+/*
+ *  A joint and its row of the Denavit-Hartenberg table, Rz(theta) Tz(d) Tx(a) Rx(alpha), in which the joint's
+ *  value is added to d (prismatic) or theta (revolute). A missing limit is infinite. The table leads from the
+ *  work to the tool; joints that carry the work come first in it, whatever their numbers.
+ */
 typedef struct gsim_rcs_joint {
     int32_t kind; /* gsim_rcs_joint_kind */
     int32_t row;  /* which row of the table is the joint's, from 0 up; its own number where none carry work */
@@ -79,8 +87,10 @@ typedef struct gsim_rcs_pose {
     double matrix[16];
 } gsim_rcs_pose;
 
-/* A parameter of the controller: a key of the machine file's table [controller] and its value as TOML writes
- * it (docs/machine-file.md). A key that is not given has its default. */
+/*
+ *  A parameter of the controller: a key of the machine file's table [controller] and its value in TOML syntax
+ *  (docs/machine-file.md). A missing key has its default.
+ */
 typedef struct gsim_rcs_parameter {
     const char* key;
     const char* value;
@@ -102,7 +112,7 @@ typedef struct gsim_rcs_machine {
     size_t parameter_count;
 } gsim_rcs_machine;
 
-/* --- What services take and give --- */
+/*  --- Inputs and outputs of services --- */
 
 typedef struct gsim_rcs_number {
     double value;
@@ -183,7 +193,7 @@ typedef struct gsim_rcs_joint_values {
     double values[GSIM_RCS_MAX_JOINTS];
 } gsim_rcs_joint_values;
 
-/* A value of a numbered criterion, kind of accuracy or conveyor. */
+/*  A value of a numbered criterion, a kind of accuracy or a conveyor. */
 typedef struct gsim_rcs_parameter_value {
     int32_t number;
     int32_t joint; /* of SET_FLYBY_CRITERIA_PARAMETER: from 0, -1 for all; else 0 */
@@ -251,9 +261,11 @@ typedef struct gsim_rcs_path_mode {
     double merge_tolerance_mm;
 } gsim_rcs_path_mode;
 
-/* --- Opcodes: a service each, with its input and output (none: a null pointer). rcs_services.def lists them
- * and tells what each does; docs/services.md is the same for reading. The numbers are of this interface and
- * never change. --- */
+/*
+ *  --- Opcodes: one for each service, with its input and output (none: a null pointer). rcs_services.def
+ *  lists and describes them; docs/services.md is the same for reading. The numbers belong to this interface
+ *  and never change. ---
+ */
 
 enum gsim_rcs_opcode {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
@@ -261,13 +273,13 @@ enum gsim_rcs_opcode {
 #include "rcs_services.def"
 };
 
-/* --- What a module exports, under these names --- */
+/*  --- Exports of a module, under these names --- */
 
 typedef struct gsim_rcs_module gsim_rcs_module; /* the module's own */
 
-/* GSIM_RCS_VERSION of the header that the module was compiled with. */
+/*  Returns GSIM_RCS_VERSION of the header that the module was compiled with. */
 GSIM_RCS_EXPORT int32_t gsim_rcs_version(void);
-/* A controller for the machine; null where it cannot be, then with a sentence in `message`. */
+/*  Creates a controller for the machine; returns null if that is impossible, with the reason in `message`. */
 GSIM_RCS_EXPORT gsim_rcs_module* gsim_rcs_create(const gsim_rcs_machine* machine, gsim_rcs_message* message);
 GSIM_RCS_EXPORT void gsim_rcs_destroy(gsim_rcs_module* module);
 /* Calls a service; returns a gsim_rcs_status. */

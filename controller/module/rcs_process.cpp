@@ -19,7 +19,7 @@ bool is_put(std::int32_t opcode) {
            opcode == GSIM_RCS_SET_NEXT_ARC_TARGET || opcode == GSIM_RCS_SET_NEXT_REST;
 }
 
-/// A controller in a process of its own.
+/// A controller in a separate process.
 class RcsProcess final : public RcsCalls {
   public:
     RcsProcess(std::string name, std::unique_ptr<RcsLink> link)
@@ -52,11 +52,11 @@ class RcsProcess final : public RcsCalls {
     bool asks_targets_ = false;
     std::uint32_t had_ = 0;     ///< Steps that were made ahead,
     std::uint32_t taken_ = 0;   ///< and those of them that were asked for.
-    std::int32_t retried_ = 0;  ///< The target that was put once more behind them; 0: none.
+    std::int32_t retried_ = 0;  ///< Target that was enqueued once more after them; 0: none.
     std::optional<std::string> loss_;
 };
 
-/// The process may have been lost ahead of what was asked for; then this is where the caller notices.
+/// The process may have been lost ahead of the request; then the caller notices it here.
 std::int32_t RcsProcess::lost() {
     const RcsLoss& loss = *link_->loss();
     const std::string_view service = rcs_service_name(loss.service);
@@ -103,7 +103,7 @@ std::int32_t RcsProcess::next_step(void* output) {
     return step.status;
 }
 
-/// Of the step that was taken last.
+/// Returns the target of the step that was consumed last.
 std::int32_t RcsProcess::target_of_step(void* output) {
     const RcsSharedStep& step = shared_.steps[taken_ - 1];
     const std::int32_t status = step.target_status.load(std::memory_order_acquire);

@@ -1,4 +1,4 @@
-// The services that a controller module is asked for, and the checks of what it answers.
+// Requests of services to a controller module, and the checks of its results.
 
 #include "controller/module/rcs_shell.h"
 
@@ -22,7 +22,7 @@ constexpr double kLargestOfStep = 1e15;  // mm or rad: beyond any target; sums o
 constexpr double kStepRounding = 1 + 1e-6;
 constexpr double kClockRounding = 1e-12;  // a step is a difference of two instants
 
-/// Some of the elements of a tuple of references, from `first` on.
+/// Returns some of the elements of a tuple of references, from `first` on.
 template <std::size_t first, typename... Elements, std::size_t... at>
 auto part_of(const std::tuple<Elements...>& all, std::index_sequence<at...> /*count*/) {
     return std::tie(std::get<first + at>(all)...);
@@ -65,7 +65,7 @@ Status RcsShell::ask(const Service& service, const void* input, void* output) {
     return status;
 }
 
-/// Asks for a service with values that become its input.
+/// Requests a service with values that become its input.
 template <typename Input, typename... Arguments>
 Status RcsShell::tell(const Service& service, const std::tuple<Arguments...>& arguments, void* output) {
     Input input{};
@@ -79,7 +79,7 @@ Status RcsShell::tell(const Service& service, const std::tuple<Arguments...>& ar
     return status;
 }
 
-/// What of a service's success is known here, too.
+/// Stores effects of a successful service that matter here, too.
 template <typename Input>
 void RcsShell::heard(const Service& service, const Input& input) {
     if constexpr (std::is_same_v<Input, gsim_rcs_number>) {
@@ -119,7 +119,7 @@ Status RcsShell::checked_joints(const Service& service, const gsim_rcs_joints& a
     return Status::RRS_SUCCESS;
 }
 
-// One check for each structure that services give.
+// One check for each output structure of services.
 
 Status RcsShell::checked(const Service& /*service*/, const gsim_rcs_message& /*answer*/) {
     return Status::RRS_SUCCESS;
@@ -159,7 +159,7 @@ Status RcsShell::checked(const Service& service, const gsim_rcs_event& answer) {
                              answer.time_s, interpolation_s_));
 }
 
-/// Asks for a service that gives more than a status: `arguments` are what it takes, then what it fills in.
+/// Requests a service that returns more than a status: `arguments` are its inputs, then its outputs.
 template <typename Input, typename Output, typename Method, typename... Arguments>
 Status RcsShell::query(const Service& service, Method /*method*/, const std::tuple<Arguments...>& arguments) {
     constexpr std::size_t kInputs = ServiceTraits<Method>::kInputs;

@@ -13,20 +13,20 @@
 
 namespace gsim::rrs {
 
-/// The services of a controller module. Each answer is checked: a status that exists and that the service may
-/// answer, numbers that are finite, as many joints as the machine has, a time that goes on and by no more
-/// than a step. An answer that fails is a fault of the module: the service answers RRS_MODULE_FAULT,
-/// GetMessage names module and service, and from then on no service calls the module.
+/// The services of a controller module. Each result is checked: a status that exists and that the service may
+/// return, finite numbers, as many joints as the machine has, a time that advances by no more than a step. A
+/// wrong result is an error of the module: the service returns RRS_MODULE_FAULT, GetMessage names module and
+/// service, and from then on no service calls the module.
 class RcsShell : public Shell {
   public:
     RcsShell(RcsModule module, int joint_count) : module_(std::move(module)), joint_count_(joint_count) {}
 
-    /// Of the library.
+    /// Returns the name of the library.
     const std::string& name() const { return module_.name(); }
-    /// The fault that was found, as a sentence.
+    /// Returns the error that was found, as a message.
     const std::optional<std::string>& fault() const { return fault_; }
     double interpolation_s() const { return interpolation_s_; }
-    /// Processor time that the module has spent in a process of its own.
+    /// Returns the processor time that the module has spent in a separate process.
     double cpu_s() const { return module_.cpu_s(); }
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
@@ -34,12 +34,12 @@ class RcsShell : public Shell {
 #include "controller/module/rcs_services.def"
 
   protected:
-    /// From now on the module is not called any more; answers RRS_MODULE_FAULT. `what` continues a sentence
-    /// that begins with the module's name: "answered SetRapid with 7, which is no status".
+    /// Ends all calls of the module from now on; returns RRS_MODULE_FAULT. `what` continues a message that
+    /// begins with the module's name: "answered SetRapid with 7, which is no status".
     Status blame(std::string_view what);
-    /// The module is about to be called.
+    /// Runs before each call of the module.
     virtual void calling() {}
-    /// As of RcsCalls.
+    /// Works as in RcsCalls.
     void announce(RcsAhead ahead, bool asks_targets) {
         module_.announce(ahead, asks_targets);
     }
@@ -68,7 +68,7 @@ class RcsShell : public Shell {
     int joint_count_;
     double interpolation_s_ = kDefaultInterpolation_s;
     double clock_s_ = 0;
-    std::optional<std::string> own_message_;  ///< Why the last answer was no success, where the host knows.
+    std::optional<std::string> own_message_;  ///< Why the last result was no success, if the host knows.
     std::optional<std::string> fault_;
 
     static constexpr double kDefaultInterpolation_s = 0.01;  // Shell::SetInterpolationTime

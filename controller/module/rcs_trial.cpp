@@ -30,7 +30,7 @@ std::string system_error(const char* what) {
     return fmt::format("could not be tried ({}: {})", what, std::generic_category().message(errno));
 }
 
-/// Crashes are to be seen by the parent as signals: no core files, nobody's handlers.
+/// Crashes must reach the parent as signals: no core files, no foreign handlers.
 void be_plain() {
     const rlimit none{};
     ::setrlimit(RLIMIT_CORE, &none);
@@ -58,7 +58,7 @@ void be_plain() {
     ::_exit(0);
 }
 
-/// What comes until the end of the pipe or kDone; nothing where that takes too long.
+/// Returns the input until the end of the pipe or kDone; nothing if that takes too long.
 std::optional<std::string> read_answer(int input, int timeout_ms) {
     const auto end = Clock::now() + std::chrono::milliseconds(timeout_ms);
     std::string said;

@@ -10,7 +10,7 @@
 
 namespace gsim::rrs {
 
-// What a module leaves as it is fails the check of RcsShell, where there is one.
+// A field that a module leaves as it is fails the check of RcsShell, if a check exists.
 namespace unanswered_fields {
 
 inline void leave_open(double& field) {
@@ -39,7 +39,7 @@ void leave_open(const codec::Text<Place>& /*field*/) {}
 
 }  // namespace unanswered_fields
 
-/// An output before its service is asked for.
+/// Returns an output as it is before its service is called.
 template <typename Output>
 Output unanswered() {
     Output output{};

@@ -8,17 +8,18 @@
 
 namespace gsim::rrs {
 
-/// Values of the services as rcs_module.h has them, and back.
+/// Conversions between values of the services and those of rcs_module.h.
 
 gsim_rcs_pose to_rcs(const CartPos& pose);
 CartPos from_rcs(const gsim_rcs_pose& pose);
 
-/// At most kMaxJoints values.
+/// Converts at most kMaxJoints values.
 gsim_rcs_joints to_rcs(const JointPos& joints);
-/// A count out of range is taken as 0.
+/// Converts joint values; a count out of range is taken as 0.
 JointPos from_rcs(const gsim_rcs_joints& joints);
 
-/// Writes `text` with a zero byte behind it; false, and cut, where it does not fit or holds a zero byte.
+/// Writes `text` with a zero byte after it. Returns false, and truncates, if it does not fit or holds a zero
+/// byte.
 bool put_text(std::string_view text, std::span<char> place);
 
 }  // namespace gsim::rrs

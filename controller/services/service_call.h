@@ -9,12 +9,12 @@
 
 namespace gsim::rrs {
 
-/// A parameter that a service fills in; they stand behind those that it takes.
+/// True for a parameter that a service fills in; these come after its inputs.
 template <typename Parameter>
 inline constexpr bool kIsOutput =
     std::is_lvalue_reference_v<Parameter> && !std::is_const_v<std::remove_reference_t<Parameter>>;
 
-/// What a method of Shell takes and gives.
+/// Inputs and outputs of a method of Shell.
 template <typename Method>
 struct ServiceTraits;
 
@@ -27,7 +27,7 @@ struct ServiceTraits<Status (Shell::*)(Parameters...)> {
             kIsOutput<Parameters>, std::tuple<std::remove_reference_t<Parameters>>, std::tuple<>>>()...));
 };
 
-/// Calls a service with values; where it takes an enumeration or a switch, numbers stand for them.
+/// Calls a service with values; numbers replace an enumeration or a switch.
 template <typename... Parameters, typename Inputs>
 Status call(Shell& shell, Status (Shell::*method)(Parameters...), const Inputs& inputs,
             typename ServiceTraits<Status (Shell::*)(Parameters...)>::Outputs& outputs) {

@@ -11,7 +11,7 @@
 
 namespace gsim::rrs {
 
-/// Statuses that a service may give beside those that any may (rcs_services.def).
+/// Statuses that a service may return in addition to those that any may return (rcs_services.def).
 class Answers {
   public:
     constexpr Answers(std::initializer_list<Status> statuses) : count_(statuses.size()) {
@@ -26,7 +26,7 @@ class Answers {
     std::size_t count_;
 };
 
-/// What of a service is the same wherever it is called.
+/// Data of a service that are the same wherever it is called.
 struct Service {
     gsim_rcs_opcode opcode;
     std::string_view name;

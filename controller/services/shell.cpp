@@ -2,7 +2,7 @@
 
 namespace gsim::rrs {
 
-// Their parameters have names, as in the list, and are not looked at.
+// The parameters have names, as in the list, but are not used.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 // NOLINTBEGIN(misc-unused-parameters)

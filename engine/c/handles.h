@@ -9,19 +9,19 @@
 #include "engine/run.h"
 #include "engine/translation.h"
 
-/// A request with the text of its program, if that is no file.
+/// A request with the text of its program, if that is not a file.
 struct gsim_request {
     gsim::engine::Request request = {};
     std::optional<std::string> text = {};
     std::string text_name = {};
 };
 
-/// Where gsim_read_file puts the bytes of a file.
+/// The target for the bytes of a file from gsim_read_file.
 struct gsim_bytes {
     std::string bytes = {};
 };
 
-/// A run, and what it has given out.
+/// A run, and the results that it has returned.
 struct gsim_run {
     gsim::engine::Cancel cancel = {};
     std::optional<gsim::engine::Run> run = {};
@@ -37,10 +37,11 @@ namespace gsim::engine {
 
 Request request_of(const gsim_request& given);
 Tell tell_of(gsim_tell tell, void* user);
-/// Keeps the sentence; the status.
+/// Stores the message; returns the status.
 std::int32_t keep_failure(gsim_run& run, const Failure& failure);
 
-/// What `work` returns, or GSIM_FAILED where memory lacks: nothing is thrown at callers from C.
+/// Returns the result of `work`, or GSIM_FAILED if memory is exhausted: exceptions never reach callers from
+/// C.
 template <typename Work>
 std::int32_t without_throwing(const Work& work) noexcept {
     try {

@@ -69,7 +69,7 @@ gsim_sample plain(const Sample& sample) {
     return made;
 }
 
-/// "moves, trajectory and plot"
+/// Returns "moves, trajectory and plot".
 std::string listed(const std::vector<std::string>& names) {
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -79,7 +79,7 @@ std::string listed(const std::vector<std::string>& names) {
     return list;
 }
 
-/// Calls `ask` on a run that is about to go; the status.
+/// Calls `ask` on a run that is about to start; returns the status.
 template <typename Ask>
 std::int32_t ask_of(gsim_run* run, std::size_t robot, const Ask& ask) {
     return without_throwing([&]() -> std::int32_t {

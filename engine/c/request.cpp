@@ -27,7 +27,7 @@ constexpr TextKey kTexts[] = {
     {"overrides", [](Request& r) { return &r.overrides.file; }},
 };
 
-/// A number, with the least that it may be, and how it is set.
+/// A number, with its minimum and its setter.
 struct NumberKey {
     std::string_view key;
     double least;

@@ -49,7 +49,7 @@ bool is_ready(const gsim_run& run, std::size_t robot) {
     return run.run && run.status == GSIM_OK && robot < run.run->robots().size();
 }
 
-/// A sentence in place of what cannot be given.
+/// Stores a message in place of an unavailable result.
 std::int32_t not_ready(gsim_run& run) {
     if (run.error.empty()) run.error = "there is no such robot";
     return GSIM_FAILED;

@@ -10,7 +10,7 @@
 
 namespace gsim::engine {
 
-/// What `work` returns, a tl::expected with a Failure; or what it throws, as one.
+/// Returns the result of `work`, a tl::expected with a Failure; an exception becomes a Failure.
 template <typename Work>
 auto guarded(const Work& work) -> decltype(work()) {
     using text::DiagnosticKind;

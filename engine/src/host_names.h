@@ -8,7 +8,7 @@
 
 namespace gsim::engine {
 
-/// The file that a name means: Host::find, or the name itself. An empty name stays so.
+/// Returns the file that a name means: Host::find, or the name itself. An empty name stays empty.
 tl::expected<std::string, std::string> find_name(const Host& host, NameKind kind, const std::string& name);
 
 }  // namespace gsim::engine

@@ -13,15 +13,15 @@
 
 namespace gsim::engine {
 
-/// What this library says, as its users take it.
+/// Returns a diagnostic of this library in the form for its users.
 Diagnostic diagnostic_of(const text::Diagnostic& told);
-/// The way back.
+/// Returns the inverse conversion.
 text::Diagnostic inner_diagnostic(const Diagnostic& told);
 Failure failure_of(text::DiagnosticKind kind, std::string message, std::string file = {});
 Failure failure_of(const InputError& error);
 AxisValues axis_values(const machine::Machine& machine, const rrs::JointPos& joints);
 
-/// Why a trajectory cannot have this step, as a sentence; nothing where it can.
+/// Returns a message if a trajectory cannot have this step; nothing if it can.
 std::optional<std::string> fault_of_step(double step_s);
 
 Report report_of(simulation::Report report);

@@ -5,8 +5,8 @@
 
 namespace gsim::engine {
 
-/// host_of_system() that also reads outlines and contours of parts in STEP and IGES files, of which paths are
-/// made. Translation and simulation do without, and so without the readers of drawings.
+/// Returns host_of_system() that also reads outlines and contours of parts in STEP and IGES files, from which
+/// paths are made. Translation and simulation do not need these, nor the readers of drawings.
 Host host_of_parts(ModulePlace place = ModulePlace::own_process);
 
 }  // namespace gsim::engine

@@ -6,14 +6,14 @@
 
 namespace gsim::engine {
 
-/// Where a controller module runs.
+/// The process of a controller module.
 enum class ModulePlace : std::uint8_t {
-    own_process,   ///< In gsim-rcs-host, beside the program; what the module does to its process is its own.
-    this_process,  ///< As a library of this process, which goes with it where it crashes or ends the program.
+    own_process,   ///< In gsim-rcs-host, a separate process; the module's effects on its process stay there.
+    this_process,  ///< As a library of this process, which ends with it if it crashes or ends the program.
 };
 
-/// What this machine has: its files, what was installed with the program, the reader of solids (a process of
-/// its own), controller modules (shared libraries).
+/// Returns the resources of this machine: its files, files installed with the program, the reader of solids
+/// (a separate process), controller modules (shared libraries).
 Host host_of_system(ModulePlace place = ModulePlace::own_process);
 
 }  // namespace gsim::engine

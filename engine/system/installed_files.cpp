@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kMachineEnding = ".toml";
 
-// What cannot be looked at counts as there: opening it tells why.
+// A path that cannot be checked counts as existing: opening it reports the reason.
 bool is_there(const fs::path& path) {
     std::error_code error;
     return fs::exists(path, error) || error;
@@ -27,7 +27,7 @@ bool has_folder(const std::string& name) {
     return name.find('/') != std::string::npos;
 }
 
-// All places in which an installation may have it.
+// Returns all positions in which an installation may have it.
 std::vector<fs::path> places(const fs::path& bin_folder, NameKind kind, const std::string& name) {
     std::vector<fs::path> found;
     if (fs::path(name).is_absolute()) return found;
@@ -41,14 +41,14 @@ std::vector<fs::path> places(const fs::path& bin_folder, NameKind kind, const st
     }
     for (const fs::path& folder : os::data_folders(bin_folder)) {
         if (has_folder(name) || kind == NameKind::library) found.push_back(folder / name);
-        // With its ending it means a file of the user's own.
+        // A name with its extension means a file of the user.
         if (kind == NameKind::machine && !has_folder(name) && !fs::path(name).has_extension())
             found.push_back(folder / "samples" / "machines" / (name + std::string(kMachineEnding)));
     }
     return found;
 }
 
-// Sample machines by their names.
+// Returns the names of sample machines.
 std::vector<std::string> machine_names(const fs::path& bin_folder) {
     std::vector<std::string> names;
     for (const fs::path& folder : os::data_folders(bin_folder)) {

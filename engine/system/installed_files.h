@@ -9,12 +9,12 @@
 
 namespace gsim::engine {
 
-/// The file that a name on the command line means. A file of that name goes before all else, and `-` and an
-/// empty name stay as they are. Else it is looked for where the program that runs was installed. Where it is
-/// not there either, the error is a sentence that says where it was looked for.
+/// Returns the file that a name on the command line means. A file of that name has priority, and `-` and an
+/// empty name do not change. Otherwise it is searched in the installation of the running program. If it is
+/// not there either, the error is a message that lists the searched folders.
 tl::expected<std::string, std::string> find_file(NameKind kind, const std::string& name);
 
-/// find_file() with the program in `bin_folder`.
+/// Does the same as find_file() with the program in `bin_folder`.
 tl::expected<std::string, std::string> find_file_from(const std::filesystem::path& bin_folder, NameKind kind,
                                                       const std::string& name);
 

@@ -19,7 +19,7 @@ namespace {
 using os::FileHandle;
 using os::OutputFile;
 
-// A file in memory that holds `text`, to be read from its beginning; null with errno where that fails.
+// Returns a file in memory that holds `text`, to be read from its beginning; null with errno if that fails.
 FileHandle temporary_file(const std::string& text) {
     FileHandle file = os::file_in_memory("plot");
     if (!file) return nullptr;
@@ -44,7 +44,7 @@ std::string cannot_draw(const std::filesystem::path& path, const std::string& wh
 
 }  // namespace
 
-// Without it a run would end before what it was made for.
+// Without this check a run would end before it writes its output.
 tl::expected<void, std::string> find_gnuplot() {
     const FileHandle input(std::fopen("/dev/null", "re"));
     const FileHandle output(std::fopen("/dev/null", "we"));
@@ -54,12 +54,12 @@ tl::expected<void, std::string> find_gnuplot() {
 
 tl::expected<std::string, std::string> drawn(const std::string& script) {
     const FileHandle input = temporary_file(script);
-    const FileHandle output = os::file_in_memory("picture");  // gnuplot says nothing of a full disk
+    const FileHandle output = os::file_in_memory("picture");  // gnuplot does not report a full disk
     if (!input || !output) {
         return tl::unexpected(
             fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
     }
-    // -d keeps the user's settings out.
+    // -d ignores the user's settings.
     if (auto done = os::run_child({"gnuplot", "-d"}, input.get(), output.get()); !done)
         return tl::unexpected(done.error());
     std::string picture = text_of(output.get());

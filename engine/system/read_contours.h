@@ -8,7 +8,7 @@
 
 namespace gsim::engine {
 
-/// Host::read_contours by the program that reads STEP and IGES files.
+/// Implements Host::read_contours with the program that reads STEP and IGES files.
 tl::expected<Contours, std::string> read_contours(const std::string& file, const ContourChoice& choice);
 
 }  // namespace gsim::engine

@@ -19,12 +19,13 @@ Vector3d placed_support(const Convex& body, const Isometry3d& pose, const Vector
     return pose * body.support(pose.linear().transpose() * direction);
 }
 
-// In the overlap four corners hold the origin, and their weights say nothing: any common point will do.
+// In an overlap four corners contain the origin, and their weights have no meaning, so any common point will
+// do.
 DifferencePoint touching_point(const Simplex& simplex, const DifferencePoint& last) {
     return simplex.size() == 4 ? last : simplex.nearest();
 }
 
-// From the cores to the bodies: the margins come off the way between both.
+// Subtracts the margins from the distance between the cores, to get that between the bodies.
 Gap with_margins(double lower_mm, const DifferencePoint& nearest, double first_mm, double second_mm) {
     const double margins = first_mm + second_mm;
     const Vector3d way = nearest.on_second - nearest.on_first;

@@ -7,8 +7,8 @@
 
 namespace gsim::cell {
 
-/// A convex body in a frame of its own: a core, and everything within `margin_mm` of it. The core is the hull
-/// of up to three points (of a sphere one, of a capsule two), a box or a cylinder about the origin.
+/// A convex body in its own frame: a core, and everything within `margin_mm` of it. The core is the hull of
+/// up to three points (one for a sphere, two for a capsule), a box or a cylinder about the origin.
 struct Convex {
     enum class Core : std::uint8_t { points, box, cylinder };
 
@@ -16,15 +16,16 @@ struct Convex {
     std::array<Eigen::Vector3d, 3> points{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                           Eigen::Vector3d::Zero()};
     int point_count = 1;
-    /// Half the size of a box; of a cylinder about Z the radius twice and half the height.
+    /// Half the size of a box; for a cylinder about Z: the radius, the radius again, and half the height.
     Eigen::Vector3d half_mm = Eigen::Vector3d::Zero();
     double margin_mm = 0;
 
-    /// The point of the core that lies farthest in a direction of any length.
+    /// Returns the point of the core that is farthest in a direction of any length.
     Eigen::Vector3d support(const Eigen::Vector3d& direction) const;
 };
 
-/// The hull of a body at two places: what it passes on a straight way between them, if it does not turn.
+/// The hull of a body at two poses: the volume that it passes on a straight path between them, if it does not
+/// turn.
 struct SweptConvex {
     const Convex& body;
     const Eigen::Isometry3d& from;
@@ -33,7 +34,7 @@ struct SweptConvex {
     Eigen::Vector3d support(const Eigen::Vector3d& direction) const;
 };
 
-/// The distance between two bodies, within bounds: lower_mm <= distance <= upper_mm, 0 where they overlap.
+/// The distance between two bodies, within bounds: lower_mm <= distance <= upper_mm, 0 if they overlap.
 struct Gap {
     double lower_mm = 0;
     double upper_mm = 0;
@@ -41,15 +42,15 @@ struct Gap {
     Eigen::Vector3d on_second = Eigen::Vector3d::Zero();  ///< ... and of the second.
 };
 
-/// How closely a distance is wanted.
+/// Requested accuracy of a distance.
 struct GapRequest {
     double enough_mm;          ///< A distance that is known to be as large need not be known better.
-    double inexact_share = 0;  ///< Of upper_mm, by which lower_mm may fall short of it.
+    double inexact_share = 0;  ///< Share of upper_mm by which lower_mm may fall short of it.
 };
 
-/// The distance between a body that moves and one at rest, by the algorithm of Gilbert, Johnson and Keerthi
-/// (IEEE J. Robotics and Automation 4, 1988). Unless less is asked for, both bounds are 1e-9 mm from each
-/// other; rounding in flat sets of corners can leave some 1e-5 mm, and both hold still.
+/// Returns the distance between a moving body and one at standstill, by the algorithm of Gilbert, Johnson and
+/// Keerthi (IEEE J. Robotics and Automation 4, 1988). Unless less is requested, both bounds are 1e-9 mm from
+/// each other. Rounding in flat sets of corners can leave some 1e-5 mm; both bounds remain valid.
 Gap gap_between(const SweptConvex& moving, const Convex& fixed, const Eigen::Isometry3d& fixed_pose,
                 const GapRequest& request);
 

@@ -1,4 +1,4 @@
-// Distances between shapes: through the trees of their meshes, nearest first.
+// Distances between shapes, searched through the trees of their meshes, nearest first.
 
 #include <algorithm>
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBoxShare = 0.3;  // to pass over a box of a tree a rough distance will do
 
-/// A part of a shape: a box of a mesh's tree, one of its triangles, or the whole convex body.
+/// A part of a shape: a box of a mesh's tree, one of its triangles, or the complete convex body.
 class ShapePart {
   public:
     explicit ShapePart(const Shape& shape)
@@ -84,7 +84,7 @@ class Search {
         best_.on_second = gap.on_second;
     }
 
-    // The larger of both is split; of its halves the nearer one goes on top.
+    // Splits the larger of both parts; the nearer one of its halves comes on top.
     void split(const ShapePart& moving, const ShapePart& fixed) {
         const bool split_moving = moving.splits() && (!fixed.splits() || moving.size_mm() > fixed.size_mm());
         const std::size_t before = waiting_.size();

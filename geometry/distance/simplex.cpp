@@ -33,7 +33,7 @@ void Simplex::reduce_segment(int a, int b) {
     keep({a, b, 0}, 2, {1 - share, share, 0});
 }
 
-// By the regions of corners, edges and face; one without area by its nearest edge.
+// Reduces by the regions of corners, edges and face; a triangle without area by its nearest edge.
 void Simplex::reduce_triangle(int a, int b, int c) {
     const Vector3d ab = at(b) - at(a);
     const Vector3d ac = at(c) - at(a);
@@ -56,8 +56,8 @@ void Simplex::reduce_triangle(int a, int b, int c) {
     keep({a, b, c}, 3, Vector3d(of_a, of_b, of_c) / sum);
 }
 
-// The origin is inside, or nearest to one of the faces that it is in front of. Rounding cannot tell the front
-// of a flat tetrahedron, so none of its faces is passed over: an origin inside of it is as good as on a face.
+// The origin is inside, or nearest to one of the faces that it is in front of. Rounding hides the front of a
+// flat tetrahedron, so none of its faces is skipped. An origin inside of it is as good as on a face.
 void Simplex::reduce_tetrahedron() {
     constexpr std::array<std::array<int, 4>, 4> kFaces{
         {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}}};

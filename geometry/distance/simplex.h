@@ -12,17 +12,17 @@ struct DifferencePoint {
     Eigen::Vector3d on_second = Eigen::Vector3d::Zero();
 };
 
-/// Up to four points of a difference of bodies, and where their hull comes nearest to the origin (C. Ericson,
-/// Real-Time Collision Detection, 5.1 and 9.5).
+/// Up to four points of a difference of bodies, and the point at which their hull is nearest to the origin
+/// (C. Ericson, Real-Time Collision Detection, 5.1 and 9.5).
 class Simplex {
   public:
     int size() const { return count_; }
     bool holds(const Eigen::Vector3d& point) const;
     void add(const DifferencePoint& point) { corners_[static_cast<std::size_t>(count_++)] = point; }
-    /// Keeps those corners alone that carry the point nearest to the origin, and returns it. With four
-    /// corners left the origin is inside.
+    /// Keeps only the corners that carry the point nearest to the origin, and returns it. If four corners are
+    /// left, the origin is inside.
     Eigen::Vector3d reduce();
-    /// The point of reduce(), on each of both bodies.
+    /// Returns the point of reduce(), on each of both bodies.
     DifferencePoint nearest() const;
 
   private:

@@ -26,9 +26,10 @@ void check(std::span<const Vector3d> vertices, std::span<const Triangle> triangl
     }
 }
 
-/// Makes the tree of boxes along the main axes of what they hold (Gottschalk, Lin, Manocha: OBBTree, SIGGRAPH
-/// 1996), each split into halves of equally many triangles, so that no mesh makes a deep tree. The same mesh
-/// makes the same tree with every compiler and library: sums and halves have one order.
+/// Builder of the tree of boxes along the main axes of their content (Gottschalk, Lin, Manocha: OBBTree,
+/// SIGGRAPH 1996). Each box is split into halves with equally many triangles, so that no mesh makes a deep
+/// tree. The same mesh makes the same tree with every compiler and library, because sums and halves have one
+/// order.
 class TreeBuilder {
   public:
     using Node = TriangleMesh::Node;
@@ -47,7 +48,7 @@ class TreeBuilder {
 
   private:
     using Part = std::span<std::uint32_t>;
-    using Along = std::pair<double, std::uint32_t>;  // where a triangle lies, and which one it is
+    using Along = std::pair<double, std::uint32_t>;  // position of a triangle, and its index
 
     template <typename Take>
     void each_corner(Part part, const Take& take) const {
@@ -56,7 +57,7 @@ class TreeBuilder {
         }
     }
 
-    /// The main axes of the corners of a part, that of the largest extent last.
+    /// Returns the main axes of the corners of a part, that of the largest extent last.
     Matrix3d axes_of(Part part) const {
         Vector3d sum = Vector3d::Zero();
         each_corner(part, [&](const Vector3d& corner) { sum += corner; });
@@ -65,7 +66,7 @@ class TreeBuilder {
         each_corner(part,
                     [&](const Vector3d& corner) { spread += (corner - mean) * (corner - mean).transpose(); });
         Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvectors();
-        if (!axes.allFinite()) return Matrix3d::Identity();  // of numbers whose squares are none
+        if (!axes.allFinite()) return Matrix3d::Identity();  // from values with infinite or NaN squares
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
         return axes;
     }
@@ -95,7 +96,8 @@ class TreeBuilder {
         fill(first_child + 1, part.subspan(half));
     }
 
-    /// The half that lies lower along an axis comes first; in each the triangles stay in their order.
+    /// Splits a part: the half that is lower along an axis comes first; in each the triangles stay in their
+    /// order.
     void halve(const Vector3d& axis, Part part) {
         std::vector<Along> along;
         along.reserve(part.size());

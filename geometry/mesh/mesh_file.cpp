@@ -19,7 +19,7 @@ bool is_obj(std::string_view file_name) {
 
 tl::expected<TriangleSoup, std::string> read_soup(std::string_view bytes, std::string_view file_name) {
     if (is_obj(file_name)) return read_obj(bytes);
-    // Some binary files begin with "solid", too: the size tells them from text.
+    // Some binary files begin with "solid", too, so the size distinguishes them from text.
     if (is_stl_binary(bytes) || !bytes.starts_with("solid")) return read_stl_binary(bytes);
     return read_stl_text(bytes);
 }

@@ -14,18 +14,17 @@
 
 namespace gsim::cell {
 
-/// Reads a surface of triangles: binary STL, ASCII STL, or OBJ by the ending ".obj" of `file_name`. The files
-/// know no unit; coordinates times `scale` are mm. A file that is cut off, or holds what is no number, or
-/// more than 5 million triangles, or lengths beyond 1e6 mm, is an error: "file: sentence" or "file:line:
-/// sentence".
+/// Reads a surface of triangles: binary STL, ASCII STL, or OBJ by the extension ".obj" of `file_name`. The
+/// files have no unit; coordinates times `scale` are mm. A truncated file, a word that is not a number, more
+/// than 5 million triangles, or lengths beyond 1e6 mm are an error: "file: message" or "file:line: message".
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
                                                                          std::string_view file_name,
                                                                          double scale);
 
-/// Where meshes are read from.
+/// Source from which meshes are read.
 struct MeshFiles {
-    /// The surfaces of a STEP or IGES file as triangles: solid::read_mesh(), which needs a process of its
-    /// own, or what stands in for it.
+    /// Function that returns the surfaces of a STEP or IGES file as triangles: solid::read_mesh(), which
+    /// needs a separate process, or its replacement.
     using ReadSolid = std::function<tl::expected<solid::Mesh, std::string>(const std::filesystem::path& file,
                                                                            double tolerance_mm)>;
 
@@ -33,8 +32,8 @@ struct MeshFiles {
     ReadSolid read_solid = solid::read_mesh;
 };
 
-/// Reads a file: as read_mesh() does, of at most 512 MiB; or a STEP or IGES file (by its ending
-/// .step, .stp, .iges, .igs), whose surfaces become triangles that are off them by `tolerance_mm` at most.
+/// Reads a file of at most 512 MiB as read_mesh() does. Or reads a STEP or IGES file (by its extension .step,
+/// .stp, .iges, .igs) as triangles that deviate from its surfaces by `tolerance_mm` at most.
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(
     const std::filesystem::path& path, double scale, double tolerance_mm = solid::kMeshTolerance_mm,
     const MeshFiles& files = {});

@@ -14,7 +14,8 @@ using std::string_view_literals::operator""sv;
 
 namespace {
 
-// What says nothing of the surface. Free-form surfaces are not among it: they would be missing.
+// Statements without effect on the surface. Free-form surfaces are not among them, because they would be
+// missing.
 constexpr std::array kPassedOver{"vt"sv,     "vn"sv,     "vp"sv,         "o"sv,        "g"sv,
                                  "s"sv,      "mg"sv,     "l"sv,          "p"sv,        "usemtl"sv,
                                  "lod"sv,    "mtllib"sv, "bevel"sv,      "c_interp"sv, "d_interp"sv,
@@ -55,7 +56,7 @@ class ObjReader {
         if (soup_.vertices.size() >= 3 * kMaxTriangles) return fail("too many vertices");
         soup_.vertices.push_back(at);
     }
-    // "7", "7/1", "7//3" or "7/1/3", counted from 1, or from the last one backwards.
+    // Reads "7", "7/1", "7//3" or "7/1/3", counted from 1, or from the last one backwards.
     std::optional<std::uint32_t> index(std::string_view word) {
         const std::string_view number = word.substr(0, word.find('/'));
         long long value = 0;
@@ -68,7 +69,7 @@ class ObjReader {
         }
         return static_cast<std::uint32_t>(value > 0 ? value - 1 : count + value);
     }
-    // A polygon is a fan of triangles, as it is flat and convex.
+    // A polygon becomes a fan of triangles, because it is flat and convex.
     void face() {
         std::array<std::uint32_t, 2> corners{};
         std::size_t count = 0;

@@ -30,7 +30,7 @@ double float_at(std::string_view bytes, std::size_t offset) {
     return static_cast<double>(bits_as<float>(little_endian(bytes.substr(offset, 4))));
 }
 
-/// Reads the facets of a text; the first fault is kept.
+/// Reader of the facets of a text; it keeps the first error.
 class TextReader {
   public:
     explicit TextReader(std::string_view text) : words_(text) {}
@@ -79,7 +79,7 @@ class TextReader {
         const double y = number("a coordinate");
         return {x, y, number("a coordinate")};
     }
-    // Nobody looks at the normal, which some programs leave out of all reason.
+    // The normal is not used, because some programs write unreasonable values.
     void facet() {
         expect("normal");
         for (int i = 0; i < 3 && !fault_; ++i) {

@@ -17,12 +17,12 @@ namespace gsim::cell {
 inline constexpr std::size_t kMaxTriangles = 5'000'000;
 inline constexpr double kMaxLength_mm = 1e6;
 
-/// Vertices and triangles as a file has them; vertices may stand there more than once.
+/// Vertices and triangles as a file has them; a vertex may occur more than once.
 struct TriangleSoup {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<Triangle> triangles;
 
-    /// Adds a triangle with vertices of its own.
+    /// Adds a triangle with its own vertices.
     void add(const std::array<Eigen::Vector3d, 3>& corners);
 };
 
@@ -31,11 +31,11 @@ class TextWords {
   public:
     explicit TextWords(std::string_view text) : rest_(text) {}
 
-    /// The next word, of this line or of a later one; empty at the end.
+    /// Returns the next word, of this line or of a later one; empty at the end.
     std::string_view next();
-    /// The next word of this line; empty at its end.
+    /// Returns the next word of this line; empty at its end.
     std::string_view next_in_line();
-    /// Leaves the rest of this line out. False at the end of the text.
+    /// Skips the remainder of this line. Returns false at the end of the text.
     bool skip_line();
     std::size_t line() const { return line_; }
 
@@ -44,14 +44,15 @@ class TextWords {
     std::size_t line_ = 1;
 };
 
-/// A finite number that is all of the word.
+/// Returns the finite number that the complete word is.
 std::optional<double> number_of(std::string_view word);
 
-/// The readers of the formats; errors are ": sentence" or ":line: sentence", to stand behind a file's name.
+/// Reads one of the formats, as the next functions do; errors are ": message" or ":line: message", to be
+/// appended to a file name.
 tl::expected<TriangleSoup, std::string> read_stl_text(std::string_view text);
 tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes);
 tl::expected<TriangleSoup, std::string> read_obj(std::string_view text);
-/// Whether the size is that which the count in the header of a binary STL file asks for.
+/// True if the size is that required by the count in the header of a binary STL file.
 bool is_stl_binary(std::string_view bytes);
 
 }  // namespace gsim::cell

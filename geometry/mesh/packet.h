@@ -9,11 +9,11 @@
 
 namespace gsim::solid {
 
-/// What any bytes are a value of; a bool is 0 or 1 alone (put_flag()).
+/// Types for which any bytes are a value; a bool is 0 or 1 only (put_flag()).
 template <typename T>
 concept PacketValue = std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool>;
 
-/// Values one behind the other as bytes, between two programs of one build on one machine.
+/// Writer of consecutive values as bytes, between two programs of one build on one machine.
 class PacketWriter {
   public:
     template <PacketValue T>
@@ -37,7 +37,7 @@ class PacketWriter {
     std::string bytes_;
 };
 
-/// Takes the values out in the same order. Where the bytes do not last, values are 0 and empty, and
+/// Reader of the values in the same order. If the bytes do not suffice, values are 0 and empty, and
 /// is_whole() is false.
 class PacketReader {
   public:
@@ -64,7 +64,7 @@ class PacketReader {
         const char* from = take(count);
         return from == nullptr ? std::string() : std::string(from, count);
     }
-    /// How many things of at least `size` bytes follow; 0 where there cannot be so many.
+    /// Returns the number of items of at least `size` bytes that follow; 0 if so many are impossible.
     std::size_t get_count(std::size_t size) {
         const auto count = get<std::uint64_t>();
         if (count <= rest_.size() / size) return static_cast<std::size_t>(count);

@@ -59,7 +59,7 @@ std::string read_to_end(int descriptor) {
     }
 }
 
-// Why a reader ended without an answer.
+// Returns why a reader ended without a result.
 std::string end_of(int status) {
     if (!WIFSIGNALED(status)) return fmt::format("OpenCASCADE ended with status {}", WEXITSTATUS(status));
     if (WTERMSIG(status) == SIGXCPU) return "OpenCASCADE does not come to an end with it";

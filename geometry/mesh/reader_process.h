@@ -12,18 +12,18 @@
 
 namespace gsim::solid {
 
-/// Runs gsim-solid, the program that reads STEP and IGES files through OpenCASCADE, on a file: the packet
-/// that it answers with. It is a process of its own because OpenCASCADE crashes on some damaged files, prints
-/// to standard output, keeps global state, and takes 40 ms to load, which programs that read no such file
-/// need not wait for.
+/// Runs gsim-solid, the program that reads STEP and IGES files through OpenCASCADE, on a file, and returns
+/// the packet of its response. It is a separate process because OpenCASCADE crashes on some damaged files,
+/// prints to standard output, and keeps global state. It also takes 40 ms to load, for which programs that
+/// read no such file need not wait.
 ///
-/// The error is a sentence that names the file: it is not there, or too large, or gsim-solid says what is
-/// wrong with it, or crashed, or this build has no gsim-solid.
+/// The error is a message that names the file: it does not exist, is too large, gsim-solid reports an error
+/// in it or crashed, or this build has no gsim-solid.
 tl::expected<std::string, std::string> ask_reader(const std::string& question,
                                                   const std::filesystem::path& file,
                                                   const std::vector<std::string>& settings);
 
-/// What `take` makes of the packet (PacketReader), all of which it has to use up.
+/// Returns the result of `take` for the packet (PacketReader), which it must consume completely.
 template <typename Take>
 auto ask_reader_for(const std::string& question, const std::filesystem::path& file,
                     const std::vector<std::string>& settings, Take take)

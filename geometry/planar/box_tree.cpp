@@ -6,7 +6,7 @@ namespace gsim::geometry {
 
 namespace {
 
-// Bits of x with a gap after each.
+// Returns the bits of x with a gap after each.
 std::uint64_t spread(std::uint64_t x) {
     x = (x | x << 16) & 0x0000ffff0000ffffULL;
     x = (x | x << 8) & 0x00ff00ff00ff00ffULL;
@@ -21,7 +21,7 @@ std::uint64_t cell(double value, double low, double high) {
     return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * kCells);
 }
 
-// Where the middle of a box lies on the Z-curve through `all`.
+// Returns the position of the middle of a box on the Z-curve through `all`.
 std::uint64_t place_on_curve(const Box& box, const Box& all) {
     const Point middle = 0.5 * (box.low + box.high);
     return spread(cell(middle.x, all.low.x, all.high.x)) | spread(cell(middle.y, all.low.y, all.high.y)) << 1;

@@ -9,8 +9,9 @@
 
 namespace gsim::geometry {
 
-/// Finds which of many boxes meet a given one, whatever their sizes: a packed R-tree, its leaves in the order
-/// of a space-filling curve (Kamel and Faloutsos, "On packing R-trees", 1993). Building takes O(n log n).
+/// Search for those of many boxes, of any size, that meet a given one: a packed R-tree, its leaves in the
+/// order of a space-filling curve (Kamel and Faloutsos, "On packing R-trees", 1993). Building takes O(n log
+/// n).
 class BoxTree {
   public:
     BoxTree() = default;

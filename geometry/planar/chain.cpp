@@ -9,10 +9,10 @@ namespace gsim::geometry {
 
 namespace {
 
-constexpr std::size_t kMaxEnds = 64;  // in one place
+constexpr std::size_t kMaxEnds = 64;  // at one position
 constexpr double kExact_mm = 1e-6;
 
-// The ends of open pieces: end 2i is the first vertex of piece i, end 2i + 1 its last one.
+// The ends of open parts: end 2i is the first vertex of part i, end 2i + 1 its last one.
 class Ends {
   public:
     Ends(const std::vector<Contour>& pieces, double tolerance_mm)
@@ -33,7 +33,7 @@ class Ends {
     bool crowded() const { return crowded_; }
     double tolerance_mm() const { return tolerance_mm_; }
 
-    // The nearest end of a piece that is not used.
+    // Returns the nearest end of a part that is not used.
     std::optional<std::size_t> nearest(Point point) {
         std::optional<std::size_t> best;
         double best_mm = tolerance_mm_;
@@ -66,7 +66,7 @@ void append(Contour& chain, Contour piece, bool from_its_end) {
     chain.vertices.insert(chain.vertices.end(), piece.vertices.begin() + 1, piece.vertices.end());
 }
 
-// Goes on from the end of the chain as far as there are pieces. True if it came back to its own start.
+// Extends the chain from its end as far as parts are available. True if it came back to its own start.
 bool grow(Contour& chain, std::vector<Contour>& pieces, Ends& ends) {
     for (;;) {
         const Point here = chain.vertices.back().position;

@@ -7,18 +7,18 @@
 
 namespace gsim::geometry {
 
-/// What came of joining pieces end to end.
+/// Result of joining parts end to end.
 struct Chained {
     std::vector<Contour> closed;
-    std::vector<Contour> open;  ///< What nothing could be found for.
-    bool crowded = false;       ///< So many ends in one place that no order can be seen in them.
+    std::vector<Contour> open;  ///< Parts without a match.
+    bool crowded = false;       ///< Too many ends at one position to find an order of them.
 };
 
-/// Joins pieces whose ends lie within `tolerance_mm` of each other, the nearest first; those that fit exactly
-/// come before all others. A gap is closed by moving the end of a piece. Takes O(n log n).
+/// Joins parts whose ends are within `tolerance_mm` of each other, the nearest first; those that fit exactly
+/// come before all others. A gap is closed by moving the end of a part. Takes O(n log n).
 Chained chain(std::vector<Contour> pieces, double tolerance_mm);
 
-/// Removes edges without a length; a contour may be left without any.
+/// Removes edges without a length; a contour may have none left.
 void drop_short_edges(Contour& contour);
 
 }  // namespace gsim::geometry

@@ -6,7 +6,8 @@ namespace gsim::geometry {
 
 namespace {
 
-// From the middle of the box the products of coordinates keep their digits, however far off the origin lies.
+// Relative to the middle of the box the products of coordinates keep their digits, however far off the origin
+// is.
 Point origin_near(const Contour& contour) {
     const Box box = box_of(contour);
     return box.empty() ? Point{} : 0.5 * (box.low + box.high);
@@ -17,7 +18,7 @@ Point origin_near(const Contour& contour) {
 void append_edge(Contour& contour, const Edge& edge, std::uint32_t source) {
     if (contour.vertices.empty()) contour.vertices.push_back({edge.start, 0, source});
     if (std::abs(edge.bulge) > 1 + 1e-12) {
-        // No center() here: the half of an arc follows from its height over the chord.
+        // center() is not needed: the half of an arc follows from its height over the chord.
         const Point chord = edge.end - edge.start;
         const Point top = 0.5 * (edge.start + edge.end) + (edge.bulge / 2) * right_of(chord);
         const double half = std::tan(std::atan(edge.bulge) / 2);

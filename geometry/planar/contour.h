@@ -8,14 +8,14 @@
 
 namespace gsim::geometry {
 
-/// A corner of a contour and how the contour goes on from it.
+/// A corner of a contour and the edge that follows it.
 struct Vertex {
     Point position;
-    double bulge = 0;          ///< Of the edge to the next vertex (Edge::bulge).
-    std::uint32_t source = 0;  ///< What the edge comes from: an entity of a drawing.
+    double bulge = 0;          ///< For the edge to the next vertex (Edge::bulge).
+    std::uint32_t source = 0;  ///< Source of the edge: an entity of a drawing.
 };
 
-/// Lines and arcs one behind the other. Where it is closed the last vertex has an edge to the first one.
+/// A sequence of lines and arcs. If it is closed, the last vertex has an edge to the first one.
 struct Contour {
     std::vector<Vertex> vertices;
     bool closed = false;
@@ -31,22 +31,22 @@ struct Contour {
     std::size_t next(std::size_t i) const { return i + 1 < vertices.size() ? i + 1 : 0; }
 };
 
-/// Which edge of which contour of a list.
+/// An edge of a contour of a list.
 struct EdgeId {
     std::uint32_t contour, edge;
 };
 
-/// Appends an edge that begins where the contour ends; an arc of more than half a turn becomes two. The last
-/// vertex carries no edge yet.
+/// Appends an edge that begins at the end of the contour; an arc of more than half a turn becomes two. The
+/// last vertex has no edge yet.
 void append_edge(Contour& contour, const Edge& edge, std::uint32_t source);
 
-/// Of a closed contour, exact for arcs; counter-clockwise above 0.
+/// Returns the area of a closed contour, exact for arcs; above 0 if counter-clockwise.
 double area_mm2(const Contour& contour);
 double length_mm(const Contour& contour);
 Box box_of(const Contour& contour);
-/// Goes the other way round; a closed one keeps its first vertex.
+/// Reverses the direction; a closed contour keeps its first vertex.
 void reverse(Contour& contour);
-/// The boxes of the edges, in order.
+/// Returns the boxes of the edges, in order.
 std::vector<Box> edge_boxes(const Contour& contour);
 
 }  // namespace gsim::geometry

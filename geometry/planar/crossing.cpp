@@ -51,7 +51,7 @@ class CrossingSearch {
 
     Edge edge(EdgeId id) const { return contours_[id.contour].edge(id.edge); }
 
-    // Whether neighbours may meet there.
+    // True if neighbours may meet at this position.
     bool belongs(EdgeId a, EdgeId b, const Edge& edge_a, const Edge& edge_b, Point place) const {
         if (a.contour != b.contour) return false;
         const Contour& contour = contours_[a.contour];

@@ -14,7 +14,8 @@ Point chord(const Edge& edge) {
     return edge.end - edge.start;
 }
 
-// The angle from the start to the direction of a point, in the sense of the arc: -pi to pi about its middle.
+// Returns the angle from the start to the direction of a point, in the sense of the arc: -pi to pi about its
+// middle.
 double angle_along(const Edge& edge, Point middle, Point point) {
     const Point from = edge.start - middle;
     const Point to = point - middle;
@@ -69,7 +70,7 @@ double share_at(const Edge& edge, Point on_edge) {
         return std::clamp(dot(on_edge - edge.start, along) / dot(along, along), 0.0, 1.0);
     }
     const double share = angle_along(edge, center(edge), on_edge) / std::abs(sweep_rad(edge));
-    // Of half a turn the end may come out as minus half a turn.
+    // The end of half a turn may be computed as minus half a turn.
     if (share < -0.5) return 1;
     return std::clamp(share, 0.0, 1.0);
 }
@@ -120,7 +121,7 @@ double cap_area_mm2(const Edge& edge) {
     if (!is_arc(edge)) return 0;
     const double r = radius_mm(edge);
     const double angle = sweep_rad(edge);
-    // angle - sin(angle) loses its digits where the angle is small.
+    // angle - sin(angle) loses its digits if the angle is small.
     const double a2 = angle * angle;
     const double difference =
         std::abs(angle) < 1e-2 ? angle * a2 / 6 * (1 - a2 / 20 * (1 - a2 / 42)) : angle - std::sin(angle);

@@ -6,14 +6,14 @@ namespace {
 
 constexpr int kMaxDepth = 16;
 constexpr int kProbes = 8;
-constexpr int kFirstParts = 2;        // so that a curve that comes back on itself is not taken for a line
+constexpr int kFirstParts = 2;        // so that a curve that returns to itself is not taken for a line
 constexpr double kMaxBulge = 0.4143;  // a little more than a quarter turn
 
 struct Biarc {
     Edge first, second;
 };
 
-// Both arcs begin and end as far from the joint as the control polygon allows with equal legs.
+// Both arcs begin and end as far from the joint as the control polygon with equal legs allows.
 Biarc biarc(const CurvePoint& a, const CurvePoint& b) {
     const Point v = b.position - a.position;
     const Point ta = unit(a.direction);

@@ -12,7 +12,7 @@ void meet_lines(const Edge& a, const Edge& b, Meets& found) {
     const Point u = a.end - a.start;
     const Point v = b.end - b.start;
     const double scale = cross(u, v);
-    // Parallel lines meet at ends alone, and those are looked at for all edges.
+    // Parallel lines meet only at ends, and those are checked for all edges.
     if (std::abs(scale) <= 1e-14 * length(u) * length(v)) return;
     add_if_within(a, b, a.start + (cross(b.start - a.start, v) / scale) * u, found);
 }

@@ -7,18 +7,18 @@
 
 namespace gsim::geometry {
 
-/// Points that two edges have in common. Where they run on each other: the ends of the common stretch.
+/// Common points of two edges. If they overlap: the ends of the common stretch.
 struct Meets {
     std::array<Point, 8> points{};
     std::size_t count = 0;
 
     const Point* begin() const { return points.data(); }
     const Point* end() const { return points.data() + count; }
-    /// Drops what is nearer than kSamePoint_mm to a point that is there already.
+    /// Adds a point, unless it is nearer than kSamePoint_mm to an existing one.
     void add(Point point);
 };
 
-/// Where two edges meet, each counting kSamePoint_mm further than it goes.
+/// Returns the points at which two edges meet; each edge is extended by kSamePoint_mm.
 Meets meets(const Edge& a, const Edge& b);
 
 }  // namespace gsim::geometry

@@ -6,12 +6,12 @@ namespace gsim::geometry {
 
 namespace {
 
-// Whether a ray from the point to the right passes the edge an odd number of times: that of its chord, and
-// once more from between the arc and its chord.
+// True if a ray from the point to the right passes the edge an odd number of times. It counts passes of the
+// chord, and one more from between the arc and its chord.
 bool ray_passes(const Edge& edge, Point point) {
     const Point a = edge.start;
     const Point b = edge.end;
-    // On the line of the chord the point counts as a little higher: both tests must see it on one side.
+    // A point on the line of the chord counts as a little higher, because both tests must see it on one side.
     const double side = cross(b - a, point - a);
     const bool left = side > 0 || (side == 0 && b.x > a.x);
     bool passes = (a.y > point.y) != (b.y > point.y) && left == (b.y > a.y);
@@ -20,7 +20,7 @@ bool ray_passes(const Edge& edge, Point point) {
     return passes;
 }
 
-// Of a list of numbers those that are in it an odd number of times.
+// Returns those numbers that occur an odd number of times in a list.
 std::vector<std::uint32_t> odd_ones(std::vector<std::uint32_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     std::vector<std::uint32_t> odd;

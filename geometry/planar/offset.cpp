@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kValid_mm = 1e-6;  // how much nearer than the distance a part may be by rounding
 
-// To the left above 0.
+// Returns the curvature, above 0 to the left.
 double curvature(const Edge& edge) {
     return is_arc(edge) ? std::copysign(1 / radius_mm(edge), edge.bulge) : 0;
 }
@@ -36,13 +36,13 @@ class RawOffset {
         const Edge edge = contour_.edge(i);
         const Point start = edge.start + d_ * right_of(start_tangent(edge));
         const Point end = edge.end + d_ * right_of(end_tangent(edge));
-        // Of a hollow that is narrower than the distance no point is far enough off.
+        // In a hollow that is narrower than the distance, no point is far enough off.
         const bool hollow = is_arc(edge) && edge.bulge < 0;
         if (hollow && radius_mm(edge) - d_ <= 10 * kSamePoint_mm) return;
         add({start, end, is_arc(edge) ? edge.bulge : 0}, contour_.vertices[i].source);
     }
 
-    // The arc about the corner behind edge i, where the contour turns to the left.
+    // Adds the arc about the corner after edge i, if the contour turns to the left.
     void round_corner(std::size_t i) {
         const std::size_t next = contour_.next(i);
         const Edge edge = contour_.edge(i);
@@ -50,7 +50,7 @@ class RawOffset {
         const Point before = end_tangent(edge);
         const Point after = start_tangent(next_edge);
         const double turn = cross(before, after);
-        // In a cusp the directions do not tell the sense of the turn, but the curves beside each other do.
+        // In a cusp the directions do not give the sense of the turn, but the curvatures of both edges do.
         const bool back = dot(before, after) < 0 && std::abs(turn) < 1e-6;
         const bool left = back ? curvature(edge) + curvature(next_edge) < 0 : turn > 0;
         if (!left) return;
@@ -69,7 +69,7 @@ class RawOffset {
     std::vector<DirectedPart> parts_;
 };
 
-// Cuts parts where they meet others.
+// Cuts parts at the points where they meet others.
 std::vector<DirectedPart> cut(const std::vector<DirectedPart>& parts) {
     std::vector<Box> boxes;
     boxes.reserve(parts.size());
@@ -99,7 +99,7 @@ std::vector<DirectedPart> cut(const std::vector<DirectedPart>& parts) {
     return result;
 }
 
-// Removes parts that lie nearer to the contour than d.
+// Removes parts that are nearer to the contour than d.
 void drop_near(std::vector<DirectedPart>& parts, const Contour& contour, double d) {
     const BoxTree tree(edge_boxes(contour));
     std::erase_if(parts, [&](const DirectedPart& part) {
@@ -114,8 +114,7 @@ void drop_near(std::vector<DirectedPart>& parts, const Contour& contour, double 
 }
 
 tl::expected<std::vector<Contour>, OffsetFault> offset_right(const Contour& contour, double d) {
-    // Where three or more parts meet in one point to the last digit, a distance that is a little longer tells
-    // them apart.
+    // If three or more parts meet in one point to the last digit, a slightly longer distance separates them.
     constexpr double kLonger[] = {1, 1 + 3e-7, 1 - 7e-7, 1 + 5e-6};
     Stitched stitched;
     for (const double factor : kLonger) {

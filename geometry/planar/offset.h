@@ -9,18 +9,18 @@
 
 namespace gsim::geometry {
 
-/// Where and why there is no offset.
+/// Position and reason of a missing offset.
 struct OffsetFault {
     Point place;
     std::string sentence;
 };
 
-/// The curve at a distance to the right of a closed contour that does not cross itself, corners rounded; to
-/// the left where the distance is below 0. Exact: lines and arcs stay lines and arcs. A contour may fall into
-/// several, or into none where there is no room for it. A counter-clockwise contour grows.
+/// Returns the curve at a distance to the right of a closed contour that does not cross itself, with rounded
+/// corners; to the left if the distance is below 0. Exact: lines and arcs stay lines and arcs. A contour may
+/// split into several, or disappear if the space is too narrow. A counter-clockwise contour grows.
 ///
-/// Each edge is moved by itself, corners that open get an arc, all are cut where they meet, and of the parts
-/// those are kept that nothing of the contour is nearer to than the distance.
+/// Each edge is moved by itself, and corners that open get an arc. All parts are cut where they meet. Parts
+/// are kept if no part of the contour is nearer to them than the distance.
 tl::expected<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance_mm);
 
 }  // namespace gsim::geometry

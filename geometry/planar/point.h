@@ -24,7 +24,7 @@ inline Point operator*(double factor, Point a) {
 inline double dot(Point a, Point b) {
     return a.x * b.x + a.y * b.y;
 }
-/// Above 0 where b lies to the left of a.
+/// Returns a value above 0 if b is to the left of a.
 inline double cross(Point a, Point b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -34,14 +34,14 @@ inline double length(Point a) {
 inline double distance(Point a, Point b) {
     return length(b - a);
 }
-/// The same vector, a quarter turn to the left.
+/// Returns the same vector, a quarter turn to the left.
 inline Point left_of(Point a) {
     return {-a.y, a.x};
 }
 inline Point right_of(Point a) {
     return {a.y, -a.x};
 }
-/// Of length 1; a vector without a length stays as it is.
+/// Returns the vector with length 1; a vector without a length stays as it is.
 inline Point unit(Point a) {
     const double size = length(a);
     return size > 0 ? (1 / size) * a : a;
@@ -50,7 +50,7 @@ inline bool finite(Point a) {
     return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
-/// An upright rectangle with its edges; empty until something is put in.
+/// An upright rectangle with its edges; empty until something is added.
 struct Box {
     Point low{HUGE_VAL, HUGE_VAL};
     Point high{-HUGE_VAL, -HUGE_VAL};

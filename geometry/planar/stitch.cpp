@@ -14,7 +14,7 @@ constexpr double kJoin_mm = 5 * kShortestPart_mm;
 constexpr double kLoose_mm = 0.05;  // parts that graze the contour may seem far enough off for so long
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-// Which part may follow which.
+// Candidates that may follow each part.
 class Followers {
   public:
     explicit Followers(const std::vector<DirectedPart>& parts) : parts_(parts), before_(parts.size(), 0) {
@@ -38,7 +38,7 @@ class Followers {
         return std::span(followers_).subspan(first_[part], first_[part + 1] - first_[part]);
     }
 
-    // Parts that lie on a way that begins and ends in others, over and over: the rest leads to nothing.
+    // Returns the parts on paths that continue at both ends over and over; all other parts lead to dead ends.
     std::vector<bool> lasting() const {
         std::vector<bool> lasts(parts_.size(), true);
         std::vector<std::vector<std::size_t>> predecessors(parts_.size());
@@ -121,7 +121,7 @@ class Stitcher {
         std::size_t best = kNone;
         double nearest = HUGE_VAL;
         for (const std::size_t follower : followers_.of(part)) {
-            // Where two parts run as good as on each other, the other one would lead past the end.
+            // If two parts almost coincide, the other one would lead past the end.
             if (follower == first) return first;
             const double apart = distance(parts_[part].edge.end, parts_[follower].edge.start);
             if (free_[follower] && apart < nearest) {

@@ -1,6 +1,6 @@
--- Angles of lines (,A, degrees from the plane's first axis). With one coordinate of the plane the other one follows;
--- with none the line ends where it meets the line of the next block, which has ,A and both coordinates. In Lua:
--- `line_angle(30) G1{x=10}`.
+-- Angles of lines (,A, degrees from the plane's first axis). With one coordinate of the plane the other one
+-- follows. With no coordinate the line ends at the intersection with the line of the next block, which has ,A
+-- and both coordinates. In Lua: `line_angle(30) G1{x=10}`.
 
 local alarm, copied, given = use("core/basics", "alarm", "copied", "given")
 local word = use("core/words", "word")
@@ -10,18 +10,19 @@ local plane_geometry, plane_view, polar, state = use "ab9/geometry", use "core/p
 
 local STRAIGHT = plane_geometry.straight
 
-local angle     -- { degrees, place } of the block being executed, until its motion takes it
-local waiting   -- a line given by its angle alone: { degrees, words, start = {first, second}, plane, rapid, feed, place }
+local angle     -- { degrees, place } of the block being executed, until its motion uses it
+-- a line defined only by its angle: { degrees, words, start = {first, second}, plane, rapid, feed, place }
+local waiting
 
 local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.sin(math.rad(degrees)) } end
 
--- Where the program stands, in program units.
+-- Returns the position of the program, in program units.
 local function program_point(p)
   local position = axes.program_position()
   return { position[p.first] / core.unit_mm(), position[p.second] / core.unit_mm() }
 end
 
--- One coordinate is given: the other one lies on the line.
+-- One coordinate is given: the other one is on the line.
 local function complete(words, p, degrees)
   local way = direction_of(degrees)
   local letters = { p.first, p.second }
@@ -36,7 +37,8 @@ local function complete(words, p, degrees)
   return full
 end
 
--- The first of two lines with the end at which it meets the second, which is given by its end and its angle.
+-- Returns the first of two lines with its end at the intersection with the second, which is given by its end
+-- and its angle.
 local function crossing(words, p, degrees)
   if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
     alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
@@ -52,7 +54,8 @@ local function crossing(words, p, degrees)
   return full
 end
 
--- Stands in the path while an angle waits for its motion or the end of a line is open: nothing else may move.
+-- Filter in the path while an angle waits for its motion or the end of a line is open: all other moves are
+-- errors.
 local guard = { rank = 5 }
 local guarding = false
 
@@ -99,7 +102,7 @@ local function hold_back(words, degrees)
   }
 end
 
--- The line that waited goes out with the feed, the corner and the place of its own block.
+-- The pending line is output with the feed, the corner and the source location of its own block.
 local function put_first(words)
   local first = waiting
   waiting = nil
@@ -124,7 +127,7 @@ local function check_words(words)
   end
 end
 
--- The words of a move to which ,A belongs; none where it waits for the next one.
+-- Returns the words of a move to which ,A belongs; nil if it waits for the next one.
 local function resolve(words, degrees)
   local p = plane_view.planes[core.plane()]
   if degrees then check_words(words) end
@@ -144,8 +147,8 @@ local function resolve(words, degrees)
   return {}
 end
 
--- A motion without axis words, which elsewhere does nothing, may be a line that is given by its angle alone: for one
--- call the words of motion get a table.
+-- A motion without axis words, which otherwise has no effect, may be a line defined only by its angle. For
+-- one call the words of motion get a table.
 local stand_ins = {}
 for _, name in ipairs { "G0", "G1", "move" } do
   stand_ins[name] = function(words)

@@ -1,21 +1,23 @@
--- Cutter compensation as the 9/Series does it, type A (G39 to G42). Each move in the plane waits until the next one is
--- known, since its end depends on it:
---   entry      straight to beside the start of the move after it
+-- Cutter compensation of the 9/Series, type A (G39 to G42). Each move in the plane waits until the next one
+-- is known, because its end depends on it:
+--   entry      straight to the point next to the start of the move after it
 --   inside     the move ends, and the next begins, where the tool has reached both
---   outside    up to 90 degrees the tangents of the tool's ways meet in a point; beyond, each is made longer by the
+--   outside    up to 90 degrees the tangents of the tool's paths meet in a point; beyond, each is extended by
+--   the
 --              radius and a straight block joins them (G39), or an arc about the corner does (G39.1)
---   side       after a change of side a straight block leads over, where the tool's ways do not cross
---   radius     after a new D a line goes over to the new radius along its length, an arc in a block before it
---   exit       the last move ends at right angles to itself, and the exit move goes straight to its programmed end
+--   side       after a change of side a straight block leads over, if the tool's paths do not cross
+--   radius     after a new D a line changes to the new radius along its length, an arc in a block before it
+--   exit       the last move ends at right angles to itself, and the exit move runs straight to its
+--   programmed end
 
 local alarm, copied = use("core/basics", "alarm", "copied")
 local comp_filter, g, comp_override = use "common/comp_filter", use "common/comp_geometry", use "common/comp_override"
 
 local LOOK_AHEAD = 20            -- actions and moves outside the plane that may lie between two moves in it
-local SMALLEST_BLOCK_MM = 0.001  -- ends no farther apart are joined by one block
+local SMALLEST_BLOCK_MM = 0.001  -- ends at most this far apart are joined by one block
 local SAME_POINT_MM = 1e-6
 local CUT_BACK_RAD = 0.001       -- by which an arc may come out longer than programmed
-local CUSP_RAD = 0.05            -- a turn back by half a turn, as far as rounded coordinates tell
+local CUSP_RAD = 0.05            -- a turn back by half a turn, within the rounding of coordinates
 
 local ab9 = comp_filter.derive()
 
@@ -24,14 +26,15 @@ local function make(radius_in_force)
     plane = core.plane(), side = 1, radius_in_force = radius_in_force,
     round = false,        -- G39.1
     before = nil,         -- the last move in the plane
-    waiting = false,      -- whether it is still to be put out
+    waiting = false,      -- true if it is still to be output
     between = {},         -- what came after it and is no move in the plane
   })
 end
 
--- --- Putting out what waited ---
+-- --- Output of pending moves ---
 
--- What is put out of a move whose way in the plane is so long: all of it, or parts where the feed is lowered at corners.
+-- Returns the moves to output for a path of this length in the plane: the complete move, or parts if the feed
+-- is lowered at corners.
 function ab9:parts(item, length_mm)
   local rise = self.view:height(item.target) - self.view:height(item.source)
   local parts = comp_override.parts(item, math.sqrt(length_mm * length_mm + rise * rise))
@@ -76,21 +79,21 @@ function ab9:put_circle(item, point)
   end
 end
 
--- What came after the move that waited.
+-- Outputs what came after the pending move.
 function ab9:put_between()
   for _, other in ipairs(self.between) do self:put_beside(other) end
   self.between, self.waiting = {}, false
 end
 
--- Ends the waiting move at that point, and puts out what came after it.
+-- Ends the pending move at that point, and outputs what came after it.
 function ab9:finish(point)
   local item = self.before
   if item.kind == "arc" then self:put_circle(item, point) else self:put_line(item, point) end
   self:put_between()
 end
 
--- Generated blocks: straight on through these points, at the feed of the move that follows them, while all other axes
--- stay.
+-- Generated blocks: straight through these points, at the feed of the move that follows them, without motion
+-- of all other axes.
 function ab9:join(item, points)
   for _, point in ipairs(points) do
     if g.distance(self.at, point) > SAME_POINT_MM then self:put_straight(item, point, item.source) end
@@ -101,7 +104,8 @@ end
 
 local function away_from_path(item) return g.beside_end(item.segment, item.side, item.radius) end
 
--- Two curves that touch in a turn back: inside where the way that came is on the tool's side of the way that goes.
+-- Two curves that touch in a reversal: inside if the incoming path is on the tool's side of the outgoing
+-- path.
 local function cusp_is_inside(p, q, side, angle)
   local bend = -side * (g.curvature(p) + g.curvature(q))
   if bend ~= 0 then return bend > 0 end
@@ -121,7 +125,7 @@ function ab9:inside_corner(p, q, from, to, angle)
     self:join(q, { to })
     return
   end
-  local smooth = g.distance(from, to) < SAME_POINT_MM   -- where curves meet is not well defined then
+  local smooth = g.distance(from, to) < SAME_POINT_MM   -- the intersection of curves is not well defined then
   local point = smooth and from or g.meet(p.segment, q.segment, p.side, p.radius)
   comp_override.mark(p, q, angle)
   if point then
@@ -139,7 +143,7 @@ function ab9:turn_around(p, q, to)
   self:put_arc(q, to, corner, turn, g.swept(self.at, to, corner, turn), q.source)
 end
 
--- The points that lead around an outside corner between the ends of the two ways: none, one or two.
+-- Returns the points that lead around an outside corner between the ends of the two paths: zero, one or two.
 local function way_around(p, q, from, to, angle)
   local d, e = p.segment.heading[2], q.segment.heading[1]
   if g.distance(from, to) < SMALLEST_BLOCK_MM then return {} end
@@ -156,13 +160,13 @@ function ab9:outside_corner(p, q, from, to, angle)
     self:turn_around(p, q, to)
     return
   end
-  -- A line is made longer instead of being followed, or led, by a block in its own direction.
+  -- A line is extended, instead of adding a block in its own direction after or before it.
   if self.waiting then self:finish(not p.segment.centre and points[1] or from) end
   if q.segment.centre or #points == 0 then points[#points + 1] = to end
   self:join(q, points)
 end
 
--- A point that both of the tool's ways pass, where the side changes between them.
+-- Returns a point that both of the tool's paths pass, if the side changes between them.
 local function crossing(p, q)
   if not p.segment.centre and not q.segment.centre then return nil end
   local best, least
@@ -187,7 +191,7 @@ function ab9:change_side(p, q)
   end
 end
 
--- Brings the tool to the start of an arc whose radius of compensation is new.
+-- Moves the tool to the start of an arc with a new radius of compensation.
 function ab9:change_radius(p, q)
   if p.radius == q.radius or not q.segment.centre then return end
   local spoke = g.unit(g.minus(self.at, q.segment.centre))
@@ -210,12 +214,12 @@ function ab9:corner(p, q)
   self:change_radius(p, q)
 end
 
--- --- Words that change what holds ---
+-- --- Words that change the active state ---
 
--- Where the last move is still waiting it keeps what it came with.
+-- A pending last move keeps its own values.
 function ab9:set(side, round) self.side, self.round = side, round end
 
--- The last move ends at right angles beside its programmed end.
+-- The last move ends at right angles next to its programmed end.
 function ab9:close()
   if self.waiting then self:finish(away_from_path(self.before)) end
 end

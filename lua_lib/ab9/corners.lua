@@ -1,5 +1,5 @@
--- Chamfers (,C) and corner radii (,R): a corner stands between the move that carries it and the next one; both lie in
--- the plane in force. The move is held back until the next one is known. In Lua: `corner(2) G1{x=10}`.
+-- Chamfers (,C) and corner radii (,R): a corner is between the move that has it and the next one; both lie in
+-- the active plane. The move is buffered until the next one is known. In Lua: `corner(2) G1{x=10}`.
 
 local alarm, copied, given, space_between = use("core/basics", "alarm", "copied", "given", "space_between")
 local feed_of_part = use("common/feed", "feed_of_part")
@@ -12,17 +12,17 @@ local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
 local KEYS = { chamfer = ",C", corner = ",R" }
 
 local wanted       -- { key, size_mm, plane, place } for the move of the block
-local held         -- the move held back, with its corner
+local held         -- the pending move, with its corner
 local acts = {}    -- what happens between it and the next one
 
--- Values for all axes: those that are not given stay at the start of the move.
+-- Returns values for all axes: those that are not given stay at the start of the move.
 local function all_axes(values, move)
   local all = {}
   for _, axis in ipairs(axes.list) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
   return all
 end
 
--- The piece that a move makes in the plane.
+-- Returns the part of the path that a move makes in the plane.
 local function piece_of(move)
   local view = plane_view.view(move.plane)
   local piece = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
@@ -33,7 +33,8 @@ local function piece_of(move)
   return piece
 end
 
--- What a move does besides going in a plane: the letter of an axis, or that it leaves an oblique plane; nil: nothing.
+-- Returns the other motion of a move: the letter of an axis, or that it leaves an oblique plane; nil for
+-- motion in the plane only.
 local function beside_plane(move, plane)
   local p, view = plane_view.planes[plane], plane_view.view(plane)
   local target = all_axes(move.target, move)
@@ -69,7 +70,8 @@ local function put_out(move, place)
   end
 end
 
--- The move from one point on it to another; nil is its own start or end, and the result where nothing is left.
+-- Returns the move from one of its points to another; nil as a point is its own start or end. Returns nil if
+-- no path is left.
 local function part_of(move, piece, from, to)
   local begin = from and geometry.along(piece, from) or 0
   local finish = to and geometry.along(piece, to) or geometry.piece_length(piece)
@@ -85,7 +87,7 @@ local function part_of(move, piece, from, to)
   return part
 end
 
--- The corner itself, with the feed of the first move.
+-- Returns the corner itself, with the feed of the first move.
 local function corner_move(first, piece, corner)
   local move = { plane = first.plane, target = all_axes(first.target, first) }
   plane_view.view(first.plane):put(move.target, corner.to)
@@ -114,8 +116,8 @@ local function check_turn(mark, before, behind)
   return 0
 end
 
--- Puts out the held move up to the corner and the corner; what is left of the second move, or nil. Moves that go on in
--- one direction have no corner.
+-- Outputs the pending move up to the corner and the corner. Returns the remainder of the second move, or nil.
+-- Moves that continue in one direction have no corner.
 local function join(first, second)
   local mark, size = KEYS[first.corner.key], first.corner.size_mm
   check_plane(second, first.plane, mark)
@@ -169,7 +171,7 @@ local function own_corner(move)
   return own
 end
 
--- A move arrives: with a corner of its own it waits, else it goes on. One without length joins nothing.
+-- Receives a move: with a corner of its own it waits, else it is passed on. A move without length is ignored.
 local function take(move)
   local own = own_corner(move)
   move.corner, move.plane = own, move.plane or plane_view.machine_plane(core.plane())
@@ -234,7 +236,7 @@ function filter:flush()
   end
 end
 
--- The factor by which scaling changes lengths in a plane.
+-- Returns the factor by which scaling changes lengths in a plane.
 local function plane_scale(p, mark)
   local function factor(letter) return space_between({}, axes.direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
@@ -262,7 +264,7 @@ end
 corner_word("chamfer")
 corner_word("corner")
 
--- Puts another corner in the place of the one that is wanted for the next move (nil: none), which is the result.
+-- Replaces the corner that is set for the next move, and returns it (nil: no corner).
 local function exchange_corner(other)
   local before = wanted
   wanted = other

@@ -1,15 +1,15 @@
--- Canned cycles of the 9/Series; where its manual is silent they are those of its nearest relatives. R and the depth
--- are levels of the series: in incremental dimensions R counts from the initial level and the depth from R. They
--- and P, Q and the shift hold, for all cycles, until G80 or a motion code ends the series.
+-- Canned cycles of the 9/Series; if its manual is silent they are those of its nearest relatives. R and the
+-- depth are levels of the series: in incremental dimensions R counts from the initial level and the depth
+-- from R. They and P, Q and the shift are valid, for all cycles, until G80 or a motion code ends the series.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
 local axes, cycles, motion, overrides, path = use "core/axes", use "common/cycles", use "common/motion", use "common/overrides", use "core/path"
 local plane_view, polar, spindle, state = use "core/plane_view", use "common/polar", use "common/spindle", use "core/state"
 
--- Set by the builder of a machine on the control; these are usual values.
+-- The builder of a machine sets these on the controller; they are usual values.
 local CHIP_BREAK_RETRACT_MM = 1   -- G73: how far the tool is drawn back after each peck
-local PECK_CLEARANCE_MM = 1       -- G83: where the rapid move back into the hole ends, above the last depth
+local PECK_CLEARANCE_MM = 1       -- G83: end of the rapid move back into the hole, above the last depth
 
 local held = {}
 local before_series   -- the modal motion to which G80 leads back
@@ -21,8 +21,8 @@ local function dwell(hole)
   if hole.p ~= nil and hole.p > 0 then path.dwell(hole.p) end
 end
 
--- Calls reach(depth, back) for each peck above the bottom; `back` is the level `retract` before it, at most R. A hole
--- may lead to either side.
+-- Calls reach(depth, back) for each peck above the bottom; `back` is the level `retract` before it, at most
+-- R. A hole may lead in either direction.
 local function each_peck(hole, name, retract, reach)
   local up = hole.bottom <= hole.r and 1 or -1
   for _, depth in ipairs(cycles.pecks(up * hole.r, up * hole.bottom, hole.q, name)) do
@@ -91,7 +91,7 @@ function strokes.G86(tool, hole)
   spindle.turn(direction)
 end
 
--- Along the hole to a level with the tool's point off the wall.
+-- Moves along the hole to a level, with the tool's point off the wall.
 local function pass_aside(tool, hole, level)
   local direction = state.spindle or "cw"
   local first, second = tool[1], tool[2]
@@ -109,7 +109,7 @@ function strokes.G76(tool, hole)
   pass_aside(tool, hole, hole.clear)
 end
 
--- Back boring: past the wall to R, which lies below, then up to the depth; it always ends at the initial level.
+-- Back boring: past the wall to R, which is below, then up to the depth; it always ends at the initial level.
 function strokes.G87(tool, hole)
   pass_aside(tool, hole, hole.r)
   tool.feed(hole.bottom)
@@ -117,7 +117,7 @@ function strokes.G87(tool, hole)
   pass_aside(tool, hole, hole.initial)
 end
 
--- The operator draws the tool out of the hole, at least to R, and starts the program again.
+-- The operator retracts the tool from the hole, at least to R, and starts the program again.
 function strokes.G88(tool, hole)
   local direction = state.spindle or "cw"
   tool.feed(hole.bottom)
@@ -145,7 +145,7 @@ local function length(words, letter, name)
   return value and value * core.unit_mm()
 end
 
--- Takes note of the levels that the block gives.
+-- Stores the levels that the block gives.
 local function read_levels(words, name, p)
   local r, depth = length(words, "r", name), length(words, p.third, name)
   local from_r = axes.is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
@@ -157,7 +157,7 @@ local function read_levels(words, name, p)
   if from_r ~= nil then held.bottom = held.r + from_r end
 end
 
--- The shift of G76 and G87: along the centre words, or Q along the first axis of the plane.
+-- Returns the shift of G76 and G87: along the centre words, or Q along the first axis of the plane.
 local function read_shift(words, name, p)
   local first, second = length(words, p.i, name), length(words, p.j, name)
   if first ~= nil or second ~= nil then
@@ -177,7 +177,7 @@ local function read_words(words, name, p)
   end
 end
 
--- The words that say where the hole is, and whether the block drills at all.
+-- Returns the words of the position of the hole, and true if the block drills at all.
 local function split(words, p)
   local place, drills = {}, words.r ~= nil or words[p.third] ~= nil
   for key, value in pairs(words) do
@@ -191,7 +191,7 @@ local function split(words, p)
   return place, drills
 end
 
--- Rapid to the hole, at the level at which the tool is; other axes named in the block move along.
+-- Rapid to the hole, at the present level of the tool; other axes named in the block move along.
 local function move_over(place, p)
   local over = core.to_program((core.target(polar.resolve(place))))
   over[p.third] = axes.program_position()[p.third]

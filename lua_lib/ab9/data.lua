@@ -1,5 +1,6 @@
--- Data setting (G10): L2 and L20 work coordinate systems, L10 to L13 the tables of tool offsets. G90: the value itself,
--- G91: added to what the table holds. A tool offset in force stays as it is until it is called again.
+-- Data setting (G10): L2 and L20 work coordinate systems, L10 to L13 the tables of tool offsets. G90: the
+-- value itself, G91: added to the value in the table. An active tool offset stays as it is until it is called
+-- again.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -59,21 +60,21 @@ local function work_system(words)
   end
 end
 
--- The settable frames by their number: 1 to 4 are G54 to G57, 5 to 99 are G505 to G599.
+-- Sets the settable frames by their number: 1 to 4 are G54 to G57, 5 to 99 are G505 to G599.
 local function settable_frame(words)
   local number = whole(words, "p", 1, LAST_SETTABLE - 500)
   local code = number <= 4 and systems[number] or tostring(math.max(500 + number, FIRST_SETTABLE))
   set_system(code, words)
 end
 
--- One part of a tool's length or diameter: "geometry" or "wear", mm.
+-- Returns one part of a tool's length or diameter: "geometry" or "wear", mm.
 local function tool_part(number, field, part)
   local tool = tools.by_number[number]
   if tool == nil then return 0 end
   return part == "wear" and (tool[field .. "_wear"] or 0) or tools.geometry(tool, field)
 end
 
--- The offset in use is the sum of both parts.
+-- The active offset is the sum of both parts.
 local function set_tool_part(number, field, part, value)
   local tool = tools.by_number[number]
   if tool == nil then
@@ -116,10 +117,10 @@ word("G10", function(words)
   end
 end)
 
--- Each G10 is complete in its block: there is no mode to end.
+-- Each G10 is complete in its block, so no mode has to be ended.
 word("G11", function() end)
 
--- In the thesis's grammar beside G10 and G11, without any data of its own.
+-- G12 is in the thesis's grammar next to G10 and G11, without any data of its own.
 word("G12", function() alarm("word-value", "G12 sets nothing on this control; data setting is G10") end)
 
 return { tool_part = tool_part, set_tool_part = set_tool_part, set_work_offset = set_work_offset }

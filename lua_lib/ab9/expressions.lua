@@ -3,7 +3,7 @@
 local alarm = use("core/basics", "alarm")
 local number_of, rounded = use("common/expressions", "number_of", "rounded")
 
--- AND, OR and XOR work on whole numbers.
+-- AND, OR and XOR work on integers.
 local function bits(value)
   local whole = rounded(value)
   return math.tointeger(whole) or alarm("arithmetic", "%.10g is too large for AND, OR and XOR", whole)
@@ -31,7 +31,7 @@ function env.FIX(a) a = number_of(a) return (a < 0 and math.ceil(a) or math.floo
 function env.FUP(a) a = number_of(a) return (a < 0 and math.floor(a) or math.ceil(a)) + 0.0 end
 
 
--- BIN reads each four bits as a decimal digit, BCD is its inverse.
+-- BIN reads each group of four bits as a decimal digit, BCD is its inverse.
 local function digits(value, from, to)
   local rest, result, weight = bits(value), 0, 1
   if rest < 0 then alarm("arithmetic", "BIN and BCD take numbers from 0 on") end
@@ -44,6 +44,6 @@ end
 function env.BIN(a) return digits(a, 16, 10) end
 function env.BCD(a) return digits(a, 10, 16) end
 
--- A number as a condition, and a condition as a number.
+-- Convert a number to a condition, and a condition to a number.
 function env.truth(value) return number_of(value) ~= 0 end
 function env.number(condition) return condition and 1.0 or 0.0 end

@@ -5,7 +5,7 @@ local copied = use("core/basics", "copied")
 local word = use("core/words", "word")
 local axes, frames, hooks, path, state = use "core/axes", use "common/frames", use "core/hooks", use "core/path", use "core/state"
 
--- The offset of a work coordinate system by its code, as written in machine data.
+-- Returns the offset of a work coordinate system by its code, in the form of machine data.
 local function work_offset(code, letter)
   local offsets = core.offsets[code]
   return offsets and offsets[letter] or 0
@@ -13,7 +13,7 @@ end
 
 local shift = {}   -- of the transform, by letter
 
--- Hands the sum of all offsets to the C++ side.
+-- Passes the sum of all offsets to the C++ side.
 local function apply_offsets()
   for _, axis in ipairs(axes.list) do
     local letter = axis.letter
@@ -22,7 +22,8 @@ local function apply_offsets()
   end
 end
 
--- Rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row, or nil.
+-- Sets rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row,
+-- or nil.
 local function set_transform(m, by)
   core.set_matrix(m)
   shift = by or {}
@@ -30,7 +31,7 @@ local function set_transform(m, by)
   hooks.tell("transform")
 end
 
--- The offsets as the machine had them when the run began: G10 changes core.offsets.
+-- Offsets of the machine at the start of the run, because G10 changes core.offsets.
 local at_start = {}
 for code, offset in pairs(core.offsets) do at_start[code] = copied(offset) end
 
@@ -41,7 +42,7 @@ local function tell_frame(code)
   core.select_work_offset(code, start, 0, moved)
 end
 
--- G10 has set a system: what is in force is told again.
+-- G10 has set a system: the active one is reported again.
 local function frame_set(code)
   apply_offsets()
   if code == state.frame then path.act(function() tell_frame(code) end) end
@@ -49,7 +50,7 @@ end
 
 local function select_frame(code)
   return function()
-    if state.frame ~= code then path.wait() end   -- also where both systems are in one place
+    if state.frame ~= code then path.wait() end   -- even if both systems have the same origin
     state.frame = code
     apply_offsets()
     path.act(function() tell_frame(code) end)
@@ -61,7 +62,7 @@ for code = 54, 59 do word("G" .. code, select_frame(tostring(code))) end
 for part = 1, 3 do word("G59_" .. part, select_frame("59." .. part)) end
 for code = 505, 599 do word("G" .. code, select_frame(tostring(code))) end
 
--- G92: where the machine stands gets the given coordinates.
+-- G92: the present position of the machine gets the given coordinates.
 word("G92", function(words)
   local program = axes.program_position()
   local move = {}

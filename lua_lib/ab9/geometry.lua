@@ -1,5 +1,6 @@
--- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm; a piece of
--- path has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise, -1 clockwise) and sweep.
+-- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm. A
+-- path part (`piece`) has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise,
+-- -1 clockwise) and sweep.
 
 local g = use "common/comp_geometry"
 
@@ -21,7 +22,7 @@ local function piece_length(piece)
   return piece.radius * piece.sweep
 end
 
--- The angle from one point to another as seen from a centre, in the sense of travel, 0 to 2 pi.
+-- Returns the angle from one point to another as seen from a centre, in the sense of travel, 0 to 2 pi.
 local function swept_between(from, to, centre, sense)
   local a, b = minus(from, centre), minus(to, centre)
   return (sense * math.atan(cross(a, b), dot(a, b))) % TURN
@@ -34,8 +35,8 @@ local function distance_to(piece, point)
   return angle * piece.radius
 end
 
--- How far along the piece a point on it is, from 0 at its start, mm; nil where it is beyond its ends. On an arc of
--- several turns a point has no such distance.
+-- Returns the distance of a point along the part, from 0 at its start, mm; nil if it is beyond the ends. On
+-- an arc of several turns a point has no such distance.
 local function along(piece, point)
   if piece.centre and piece.sweep > TURN + STRAIGHT then return nil end
   local reached = distance_to(piece, point)
@@ -43,7 +44,8 @@ local function along(piece, point)
   return on_it and math.max(reached, 0) or nil
 end
 
--- Where two curves meet, each a line {from, direction} or a circle {centre, radius}: a list of points.
+-- Returns a list of the intersection points of two curves, each a line {from, direction} or a circle {centre,
+-- radius}.
 local function meet_lines(a, b)
   local across = cross(a.direction, b.direction)
   if math.abs(across) < STRAIGHT then return {} end
@@ -80,7 +82,8 @@ local function meet(a, b)
   return meet_lines(a, b)
 end
 
--- The curve at the given distance to the left of a piece (to the right: below 0); nil where nothing is left of it.
+-- Returns the curve at the given distance to the left of a part (to the right: below 0); nil if no curve is
+-- left.
 local function offset(piece, distance)
   if piece.centre == nil then
     local direction = direction_at(piece)
@@ -90,7 +93,7 @@ local function offset(piece, distance)
   return radius > 0 and { centre = piece.centre, radius = radius } or nil
 end
 
--- The point of a piece that is nearest to a point beside it.
+-- Returns the point of a part that is nearest to a point next to it.
 local function foot(piece, point)
   if piece.centre == nil then
     local direction = direction_at(piece)
@@ -99,7 +102,8 @@ local function foot(piece, point)
   return plus(piece.centre, unit(minus(point, piece.centre)), piece.radius)
 end
 
--- The rounding of radius r between two pieces: first tangent point, second one, centre, sense; nil where none fits.
+-- Returns the rounding of radius r between two parts: first tangent point, second one, centre, sense; nil if
+-- none fits.
 local function rounding(a, b, r, sense)
   local one, two = offset(a, sense * r), offset(b, sense * r)
   if one == nil or two == nil then return nil end
@@ -114,7 +118,7 @@ local function rounding(a, b, r, sense)
   return best
 end
 
--- The point of a piece at a distance from the corner, which is at its start or its end.
+-- Returns the point of a part at a distance from the corner, which is at its start or its end.
 local function point_from(piece, corner, distance, at_start)
   if piece.centre == nil then
     local way = direction_at(piece)

@@ -1,6 +1,6 @@
--- Home positions: G28 and G30 go there by a point on the way, G29 comes back by the same point, G27 checks; and the
--- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`: those of
--- machine data, else of the machine file.
+-- Home positions: G28 and G30 move there by an intermediate point, G29 returns by the same point, G27 checks;
+-- and the skip function G31. The first home is that of the machine file, the second to fourth are in
+-- `core.homes`: those of machine data, else of the machine file.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -8,7 +8,7 @@ local axes, move_until_signal, path = use "core/axes", use "common/probe", use "
 
 local SAME = 1e-6   -- mm or deg
 
-local way   -- letter -> machine coordinate of the point on the way, for the axes that G28 or G30 named
+local way   -- letter -> machine coordinate of the intermediate point, for the axes that G28 or G30 named
 
 local increment = { x = "u", y = "v", z = "w" }
 
@@ -31,7 +31,7 @@ local function homes(number)
   return stored
 end
 
--- A target for all axes of which these alone change.
+-- Returns a target for all axes of which only these change.
 local function with_others(values)
   local target = axes.programmed_point()
   for letter, value in pairs(values) do target[letter] = value end
@@ -78,7 +78,7 @@ word("G30", function(words)
   go_home(rest, math.tointeger(number), "G30")
 end)
 
--- G29 moves the axes that it names; an increment counts from the point on the way.
+-- G29 moves the axes that it names; an increment counts from the intermediate point.
 word("G29", function(words)
   if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
   axes.refuse_with_tip_control("G29")
@@ -105,11 +105,12 @@ end)
 
 local skipped_at   -- machine coordinates by axis letter
 
--- Where the last skip signal came, machine coordinates; nil before the first G31.
+-- Returns the position of the last skip signal, machine coordinates; nil before the first G31.
 local function skip_position() return skipped_at end
 
--- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position;
--- with one it is where the signal came, a little before the machine stands.
+-- G31: a straight move that a signal ends early. Without a signal it runs to its end, and that is the skip
+-- position. With a signal it is the position of the signal, a little before the final position of the
+-- machine.
 word("G31", function(words)
   local target, named = core.target(words)
   if not named then alarm("word-missing", "G31 needs the axis words of its target") end

@@ -9,7 +9,7 @@ local FIRST_LOCAL, LAST_LOCAL = 1, 33
 local MOST_LEVELS = 4        -- of macro calls inside each other; the main program is level 0
 local MOST_REPEATS = 9999
 
--- Where each letter goes. I, J and K that occur more than once go to #4 to #33 in sets of three.
+-- Variable of each letter. I, J and K that occur more than once set #4 to #33 in sets of three.
 local variable_of = {
   a = 1, b = 2, c = 3, d = 7, e = 8, f = 9, h = 11, i = 4, j = 5, k = 6, m = 13, q = 17, r = 18, s = 19, t = 20,
   u = 21, v = 22, w = 23, x = 24, y = 25, z = 26,
@@ -30,7 +30,7 @@ local function put(locals, number, value, letter)
   locals[number] = value
 end
 
--- Repeated I, J, K in their order: a set begins where the letter does not come after the one before.
+-- Repeated I, J, K in their order: a set begins if the letter does not come after the one before.
 local function put_sets(locals, pairs_in_order)
   local set, last = 0, math.huge
   for _, pair in ipairs(pairs_in_order) do
@@ -46,7 +46,7 @@ local function put_sets(locals, pairs_in_order)
   end
 end
 
--- The local variables that the words of a call make.
+-- Returns the local variables that the words of a call make.
 local function arguments(words, code, skipped)
   local locals = {}
   for key, value in pairs(words) do
@@ -80,8 +80,8 @@ local function write_locals(values)
   for number = FIRST_LOCAL, LAST_LOCAL do rawset(env.v, number, values[number]) end
 end
 
--- Runs a program with these local variables. The results are what it leaves in them, and the block at which the caller
--- is asked to go on (M99 P), or nil.
+-- Runs a program with these local variables. Returns the local variables at its end, and the block at which
+-- the caller must continue (M99 P), or nil.
 local function run(number, times, locals)
   if level == MOST_LEVELS then
     alarm("nesting", "the macro O%d is called more than %d macro levels deep", number, MOST_LEVELS)
@@ -117,7 +117,7 @@ local function call_of(words, code)
   }
 end
 
--- As with M98 the translator adds `true` where the caller can go on at any of its blocks.
+-- As with M98 the translator adds `true` if the caller can continue at any of its blocks.
 word("G65", function(words, can_jump)
   local call = call_of(words, "G65")
   local _, block = run(call.number, call.times, call.locals)
@@ -125,12 +125,12 @@ word("G65", function(words, can_jump)
   return block
 end)
 
--- The modal call in force; `outer` is the one before it, which acts on the moves of this one's macro.
+-- The active modal call; `outer` is the one before it, which acts on the moves of this one's macro.
 local modal
 
 local use_modal
 
--- Runs the macro of the modal call; within it the outer one is in force.
+-- Runs the macro of the modal call; within it the outer one is active.
 local function run_modal(locals)
   local call = modal
   use_modal(call.outer)
@@ -140,13 +140,13 @@ local function run_modal(locals)
   return left
 end
 
--- The arguments are set by G66; from one call to the next the macro keeps what it leaves in them.
+-- G66 sets the arguments; from one call to the next the macro keeps the values that it leaves in them.
 local function behind_move()
   modal.locals = run_modal(modal.locals)
 end
 
--- G66.1: while it is in force these words gather arguments in place of acting. A block ends with its motion, or
--- where a word of another line comes.
+-- G66.1: while it is active these words gather arguments instead of acting. A block ends with its motion, or
+-- when a word of another line comes.
 local motion_code = { G0 = 0, G1 = 1, G2 = 2, G3 = 3 }
 local gathered, gathered_line
 
@@ -209,7 +209,7 @@ word("G67", function()
   if modal ~= nil then use_modal(modal.outer) end
 end)
 
--- The modal call in force, for the system variables: 66, 66.1 or 67.
+-- Returns the active modal call, for the system variables: 66, 66.1 or 67.
 local function modal_macro_code()
   if modal == nil then return 67 end
   return modal.every_block and 66.1 or 66

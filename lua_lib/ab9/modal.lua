@@ -1,11 +1,11 @@
--- Remembers for the system variables #4001 to #4120 which code of each modal group, and which word of each letter, came
--- last.
+-- Stores for the system variables #4001 to #4120 the last code of each modal group, and the last word of each
+-- letter.
 
 local code_number = use("core/basics", "code_number")
 local ab9_macros, cycles, state, words = use "ab9/macros", use "common/cycles", use "core/state", use "core/words"
 
--- Groups of the dialect's table by the last two digits of their variable, and the numbers of the codes that came last; at
--- first those that are in force when a run begins. Group 1 is the modal motion.
+-- Groups of the dialect's table by the last two digits of their variable, and the numbers of the last codes;
+-- initially those that are active at the start of a run. Group 1 is the modal motion.
 local variable_of = {
   plane = 2, ["distance mode"] = 3, ["programmable zone"] = 4, ["feed mode"] = 5, units = 6, ["cutter compensation"] = 7,
   ["tool length"] = 8, ["return level of cycles"] = 10, ["spindle speed mode"] = 13, ["part rotation"] = 16,
@@ -25,14 +25,14 @@ for name, group in unordered(core.codes.group) do
   if is_m then words.before(name, "modal codes", function() last.M = number end) end
 end
 
--- Bare, both codes of scaling end it.
+-- Without words, both codes of scaling end it.
 words.before({ "G14", "G14_1" }, "modal codes", function(_, given)
   numbers[11] = given ~= nil and next(given) ~= nil and 14.1 or 14
 end)
 
 words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) last[name] = value or last[name] end)
 
--- Codes whose state is kept elsewhere.
+-- Codes with a state that is stored elsewhere.
 local kept_elsewhere = {
   [1] = function()
     local number = core.motion() ~= "CIP" and code_number(core.motion())
@@ -49,8 +49,8 @@ local kept_elsewhere = {
 
 local letters = { [7] = "D", [9] = "F", [11] = "H", [13] = "M", [19] = "S", [20] = "T" }
 
--- #4001 to #4022: the code of a group; #4107 .. #4120: the last word of a letter, vacant before the first one. The second
--- result is nil where the control has no such group or letter.
+-- Returns the code of a group (#4001 to #4022) or the last word of a letter (#4107 .. #4120), vacant before
+-- the first one. The second result is nil if the controller has no such group or letter.
 local function modal_code(variable)
   local index = variable - 4000
   if kept_elsewhere[index] then return kept_elsewhere[index](), true end

@@ -25,7 +25,7 @@ local function mode(name, number, path_name)
 end
 mode("G61", 61, "exact_stop")
 mode("G62", 62, "continuous")
-mode("G63", 63, "continuous")   -- tapping mode: the feed override does nothing
+mode("G63", 63, "continuous")   -- tapping mode: the feed override has no effect
 mode("G64", 64, "continuous")
 -- One block that ends in an exact stop.
 word("G9", function() path.act(core.exact_stop_once) end)
@@ -42,9 +42,9 @@ end
 
 -- --- Spindle ---
 
--- Spindle: G97 S is its speed in rev/min, G96 S the speed of the surface in m/min (ft/min in inch mode) at the radius
--- X, counted from the zero point of the program. A move has the speed that belongs to the middle of its way along X,
--- so that in feed per revolution a facing cut takes its true time.
+-- Spindle: G97 S is its speed in rev/min. G96 S is the speed of the surface in m/min (ft/min in inch mode) at
+-- the radius X, counted from the zero point of the program. A move has the speed for the middle of its path
+-- along X. So a facing cut in feed per revolution takes its true time.
 
 local MM_IN_M, MM_IN_FOOT = 1000, 304.8
 local LEAST_RADIUS_MM = 1e-3
@@ -62,7 +62,7 @@ local function rpm_at(radius_mm)
   return surface_mm_min / (2 * math.pi * math.max(radius_mm, LEAST_RADIUS_MM))
 end
 
--- Before a move to the target: the spindle speed for the middle of it.
+-- Sets the spindle speed for the middle of a move to the target, before the move.
 local function adapt(target)
   if surface_mm_min == nil then return end
   local from, to = axes.program_position().x, core.to_program(target).x
@@ -125,7 +125,7 @@ word("M7", function()
   path.event("coolant_2_on", nil, nil, changed)
 end)
 
--- Where the machine file does not say what switches the process ([process]), this is a waterjet.
+-- If the machine file does not define what switches the process ([process]), this is a waterjet.
 local function jet(on)
   if core.process == nil then return function() core.set_process(on, false) end end
 end

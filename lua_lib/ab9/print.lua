@@ -1,4 +1,4 @@
--- Output of the program to the outside: DPRNT writes a line of text, between POPEN and PCLOS. Each line is an event.
+-- Output of the program: DPRNT writes a line of text, between POPEN and PCLOS. Each line is an event.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -18,7 +18,7 @@ end)
 
 local PERCENT = ("%"):byte()
 
--- Values that their "%.3f" shows as 0 are 0: -0.000 tells nobody anything.
+-- Values that their "%.3f" shows as 0 are 0, because -0.000 has no use.
 local function without_negative_zeros(text, values)
   local i, at = 0, 1
   while at < #text do

@@ -1,4 +1,4 @@
--- How motion speeds up and slows down. When a run begins the machine's controller decides on it.
+-- Ramps of motion. At the start of a run the machine's controller selects them.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -11,7 +11,8 @@ mode("G47", "linear")
 mode("G47_1", "s_curve")
 mode("G47_9", "infinite")
 
--- Limits of the axes named, in program units per s^2, and per s^3 of the jerk. They only lower those of the machine.
+-- Sets limits of the axes named, in program units per s^2, and per s^3 for the jerk. They only lower those of
+-- the machine.
 local function limits(name, code, limit, unit)
   word(name, function(words)
     local values = {}

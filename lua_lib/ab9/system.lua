@@ -1,5 +1,5 @@
--- System variables: what the program reads and sets of the control by numbers from #1000 on. Lengths are in program
--- units, axes count in the order of the machine file.
+-- System variables: data of the controller that the program reads and sets by numbers from #1000 on. Lengths
+-- are in program units, axes count in the order of the machine file.
 
 local alarm = use("core/basics", "alarm")
 local ab9_data, ab9_frames, ab9_home, ab9_modal, ab9_transform =
@@ -26,7 +26,7 @@ local function letter_of(number, index)
   return axis.letter
 end
 
--- Variables of the axes: get and set take and give mm or deg.
+-- Variables of the axes: get and set use mm or deg.
 local function axis_range(first, what, get, set)
   range(first, first + MOST_AXES - 1, what, function(number, index)
     local letter = letter_of(number, index)
@@ -41,9 +41,10 @@ end
 
 local ALL = 32       -- #1032 and #1132: the 32 signals before as one number
 
-local outputs = {}   -- number from 0 -> true where it is on
+local outputs = {}   -- number from 0 -> true if it is on
 
--- on_input(f): f("digital", number) answers with the value of input `number`, which the program reads as #1000 + number.
+-- on_input(f): f("digital", number) returns the value of input `number`, which the program reads as #1000 +
+-- number.
 local function input_is_on(number)
   local answer = inputs.answer
   local signal = answer == nil and inputs.input_value("DI", number)
@@ -136,7 +137,7 @@ range(3007, 3007, "mirrored axes, 1 for the first, 2 for the second, 4 for the t
   return bits + 0.0
 end)
 
--- The clock of a run starts on 1 January 2001 at midnight and goes with the machine's time.
+-- The clock of a run starts on 1 January 2001 at midnight and runs with the machine's time.
 local MONTHS = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 }
 
 local function is_leap(year) return year % 4 == 0 and (year % 100 ~= 0 or year % 400 == 0) end
@@ -209,12 +210,12 @@ end
 
 local system = {}
 
--- What there is, for the alarm of a number that is not there.
+-- Known variables, for the alarm of a number that does not exist.
 system.NUMBERS = "the system variables #1000 to #1032 (inputs), #1100 to #1132 (outputs), #2001 to #2800 (tool offsets), #3000 "
     .. "to #3004, #3006, #3007, #3011 and #3012 (alarm, timers, messages, clock), #4001 to #4120 (modal codes), and by axis "
     .. "from #5001, #5021, #5041, #5061, #5081 and #5101 (positions) and #5201, #5221 .. #5381 on (zero points)"
 
--- system.get(number) -> true, value; nil where there is none of that number.
+-- system.get(number) -> true, value; nil if no variable has that number.
 function system.get(number)
   local entry = find(number)
   if entry == nil then return nil end
@@ -229,12 +230,12 @@ function system.set(number, value, text)
   if entry.set == nil then alarm("variable", "#%d (%s) can only be read", number, entry.what) end
   if value == nil then value = 0 end
   if type(value) ~= "number" then alarm("script", "#%d takes a number", number) end
-  core.note_place()   -- for events; an assignment is no word that would tell its place
+  core.note_place()   -- for events, because an assignment is no word with a source location
   entry.set(number, value, number - entry.first, text)
   return true
 end
 
--- The offset of all work coordinate systems is kept too; its place in machine data is that of its variables.
+-- The offset of all work coordinate systems is stored too; in machine data it is stored as its variables.
 local function each_external(use)
   for index, axis in ipairs(axes.list) do
     if index <= MOST_AXES and ("xyz"):find(axis.letter, 1, true) then use(FIRST_EXTERNAL + index - 1, axis.letter) end

@@ -1,5 +1,5 @@
--- G33 of the 9/Series: a thread of constant lead. F is the lead, in the unit of the program per turn; E the number of
--- threads per inch. The lead holds until another one is programmed.
+-- G33 of the 9/Series: a thread of constant lead. F is the lead, in the unit of the program per turn; E the
+-- number of threads per inch. The lead is valid until another one is programmed.
 
 local alarm = use("core/basics", "alarm")
 local cycles, motion, overrides, path, spindle = use "common/cycles", use "common/motion", use "common/overrides", use "core/path", use "common/spindle"

@@ -1,7 +1,7 @@
--- Mirror image (G51.1), scaling (G14.1) and part rotation (G68): linear maps of the program's X, Y and Z before the
--- offsets of the work coordinate system. They act in this order, whatever the order in which they were programmed:
--- the mirror, then the scale, then the rotation. Centres are points of the program, always absolute, so that what was
--- programmed before the centre acts on it too.
+-- Mirror image (G51.1), scaling (G14.1) and part rotation (G68): linear maps of the program's X, Y and Z
+-- before the offsets of the work coordinate system. They act in this order, regardless of the programmed
+-- order: the mirror, then the scale, then the rotation. Centres are points of the program, always absolute,
+-- so the maps programmed before the centre act on it too.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -18,7 +18,7 @@ local external = {} -- offset of all work coordinate systems, mm (G10 L2 P0)
 
 local function origin() return { x = 0, y = 0, z = 0 } end
 
--- A map p -> m*p + shift.
+-- Returns a map p -> m*p + shift.
 local function identity()
   return { m = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, shift = origin() }
 end
@@ -42,7 +42,7 @@ local function product(a, b)
   return m
 end
 
--- `map`, then the matrix about the point that `map` makes of the centre.
+-- Returns `map`, followed by the matrix about the image of the centre under `map`.
 local function about(map, matrix, centre)
   local c, s = applied(map, centre), map.shift
   return {
@@ -115,7 +115,7 @@ local function only(words, code, allowed)
   return words or {}
 end
 
--- G51.1 X.. : mirror about X = that value. G50.1: no mirror on the axes named, bare: on none.
+-- G51.1 X.. : mirror about X = that value. G50.1: no mirror on the axes named, without words: on no axis.
 word("G51_1", function(words)
   words = only(words, "G51.1", " x y z ")
   if next(words) == nil then
@@ -142,8 +142,8 @@ local function factor_of(words, letter, code)
   return factor
 end
 
--- Scaling: P for all three axes, I, J, K for one each; X, Y, Z the centre, which is the program's zero point where they
--- are left out. Bare: off.
+-- Scaling: P for all three axes, I, J, K for one each; X, Y, Z the centre, which is the program's zero point
+-- if they are left out. Without words: off.
 local function scaling(name, code)
   word(name, function(words)
     words = only(words, code, " p i j k x y z ")
@@ -164,7 +164,8 @@ end
 scaling("G14", "G14")
 scaling("G14_1", "G14.1")
 
--- The centre of a rotation: the axis words of the plane; those left out keep what is in force in this plane, else 0.
+-- Returns the centre of a rotation: the axis words of the plane. Missing words keep the active value in this
+-- plane, else 0.
 local function rotation_centre(words, p)
   local held = rotates() and rotation.plane == core.plane() and rotation.centre or {}
   local centre = { [p.first] = held[p.first] or 0, [p.second] = held[p.second] or 0 }
@@ -195,10 +196,10 @@ word("G69", function()
   apply()
 end)
 
--- The axes that are mirrored, by letter.
+-- Returns the mirrored axes, by letter.
 local function mirrored_axes() return mirror end
 
--- The offset that all work coordinate systems share, mm.
+-- Returns the offset that all work coordinate systems share, mm.
 local function external_offset(letter) return external[letter] or 0 end
 
 local function set_external_offset(letter, value)

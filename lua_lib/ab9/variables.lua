@@ -6,7 +6,7 @@ local system = use "ab9/system"
 
 local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 33, 100, 199, 500, 999
 
--- The whole number that an index means; expressions may miss it by rounding.
+-- Returns the integer that an index means; expressions may miss it by rounding.
 local function index(number)
   number = number or 0
   if type(number) ~= "number" or number ~= number then alarm("script", "the number of a variable is no number") end
@@ -25,7 +25,7 @@ local function unknown(number)
     system.NUMBERS)
 end
 
--- A plain table: what exists is read and written by Lua itself, the rest comes here.
+-- A plain table: Lua itself reads and writes existing entries, all others are handled here.
 local variables = {}
 for number, value in pairs(core.variables) do
   local _, exists = index(number)
@@ -51,7 +51,7 @@ env.v = setmetatable(variables, {
   end,
 })
 
--- What the control keeps from one run to the next.
+-- Returns the variables that the controller keeps from one run to the next.
 local function permanent_variables()
   local kept = {}
   for number = FIRST_PERMANENT, LAST_PERMANENT do
@@ -61,7 +61,8 @@ local function permanent_variables()
   return kept
 end
 
--- The variables of the machine data as they are now: only those that the control keeps may have changed for good.
+-- Returns the present variables of the machine data: only those that the controller keeps may have changed
+-- permanently.
 local function stored_variables()
   local stored = copied(core.variables)
   for number = FIRST_PERMANENT, LAST_PERMANENT do stored[number] = nil end

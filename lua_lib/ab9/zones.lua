@@ -1,5 +1,6 @@
--- Programmable zone (G22, G23): a box in machine coordinates that the tool must not enter if it stands outside when the
--- zone is switched on, and must not leave if it stands inside. With P: zones of the machine data. The core watches them.
+-- Programmable zone (G22, G23): a box in machine coordinates. The tool must not enter it if it is outside
+-- when the zone is switched on, and must not leave it if it is inside. With P: zones of the machine data. The
+-- core monitors them.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -59,8 +60,8 @@ local function put(zone)
   path.act(function() core.set_zone(zone) end)
 end
 
--- G22 X Y Z I J K: two opposite corners, in any order; bare: the zone that was given last. G22 P: zones of the machine
--- data.
+-- G22 X Y Z I J K: two opposite corners, in any order; without words: the zone that was given last. G22 P:
+-- zones of the machine data.
 word("G22", function(words)
   if is_number_alone(words) then return env.switch_zone(words.p, true) end
   if words ~= nil and next(words) ~= nil then box = read_box(words) end

@@ -1,13 +1,13 @@
--- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are C++, which
--- makes them of their words (core.read_arc); what a dialect asks of them stands here.
+-- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are
+-- C++, which makes them from their words (core.read_arc); the rules of a dialect for them are here.
 
 
 local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
 local axes, motion, path, polar = use "core/axes", use "common/motion", use "core/path", use "common/polar"
 
--- By how much the radii of start and end may differ where the centre is given, and R may be too short. In RS274/NGC as
--- LinuxCNC 2.9 has it: 0.0283 mm (0.00283 in), or 0.1 % of the radius where that is more, up to a hundred times that;
--- and a number of turns within 0.0001 of a whole one counts as it.
+-- Permitted difference of the radii of start and end if the centre is given, and permitted shortness of R.
+-- For RS274/NGC as in LinuxCNC 2.9: 0.0283 mm (0.00283 in), or 0.1 % of the radius if that is more, up to a
+-- hundred times that. A number of turns within 0.0001 of an integer counts as that integer.
 if core.dialect == "rs274ngc" then
   core.set_arc_rules {
     radii_tolerance_mm = 0.0283, radii_tolerance_inch_mm = 0.00283 * 25.4, radii_tolerance_share = 0.001,
@@ -29,11 +29,11 @@ end
 arc("G2", false)
 arc("G3", true)
 
--- CIP: through the point I1=, J1=, K1= (or I, J, K), which is absolute or incremental as the end is. The circle
--- may lie in any plane of space.
+-- CIP: through the point I1=, J1=, K1= (or I, J, K), which is absolute or incremental like the end. The
+-- circle may lie in any plane of space.
 local via_words = { x = { "i1", "i" }, y = { "j1", "j" }, z = { "k1", "k" } }
 
--- Swept angle of the circle through three points, for inverse time feed.
+-- Returns the swept angle of the circle through three points, for inverse time feed.
 local function swept_via(a, m, b)
   local function angle_at(c, opposite, near, far)  -- inscribed angle, law of cosines
     if near == 0 or far == 0 then return 0 end

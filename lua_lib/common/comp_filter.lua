@@ -1,9 +1,10 @@
--- What the two kinds of cutter compensation have in common: a filter of the path (see core/path.lua) that knows where the
--- program is and where the machine is, takes moves as items, and puts out moves whose ends it has moved aside.
+-- Common part of the two kinds of cutter compensation: a filter of the path (see core/path.lua) that knows
+-- the positions of the program and of the machine. It receives moves as items, and outputs moves with shifted
+-- ends.
 --
--- An item is one call of the path: { kind = "rapid", "line", "arc" or "act", source, target, feed, place, segment, f }.
--- `source` and `target`, its programmed ends, name every axis; `segment` (common/comp_geometry.lua) is nil where nothing moves
--- in the plane. An action holds its own place.
+-- An item is one call of the path: { kind = "rapid", "line", "arc" or "act", source, target, feed, place,
+-- segment, f }. `source` and `target`, its programmed ends, name every axis; `segment`
+-- (common/comp_geometry.lua) is nil without motion in the plane. An action stores its own source location.
 
 local alarm, copied, space_between = use("core/basics", "alarm", "copied", "space_between")
 local axes, g, plane_view = use "core/axes", use "common/comp_geometry", use "core/plane_view"
@@ -15,7 +16,7 @@ local SLOWEST = 0.1   -- program units in a minute
 local comp_filter = {}
 comp_filter.__index = comp_filter
 
--- Makes a filter class filter; fields: side, radius (mm), plane.
+-- Makes a filter class; fields: side, radius (mm), plane.
 function comp_filter.derive()
   local class = setmetatable({}, comp_filter)
   class.__index = class
@@ -39,13 +40,13 @@ function comp_filter:complete(target)
   return all
 end
 
--- Inverse time is a speed on the programmed way, and the tool keeps that speed on its own way.
+-- Inverse time is a speed on the programmed path, and the tool keeps that speed on its own path.
 local function at_programmed_speed(feed, length_mm)
   if not feed.motion_s or length_mm == 0 then return feed end
   return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, SLOWEST * core.unit_mm()))
 end
 
--- A straight move as an item. Only moves in the plane get a segment.
+-- Returns a straight move as an item. Only moves in the plane get a segment.
 function comp_filter:straight(kind, target, feed, linear_kind, place)
   if linear_kind and linear_kind ~= "linear" then
     alarm("compensation", "a %s move is not possible while cutter compensation is on; G40 first", linear_kind)
@@ -78,12 +79,12 @@ function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed
   return item
 end
 
--- Moves as they come: take(item) of the class holds each until what follows is known.
+-- Receive moves: take(item) of the class buffers each until the next ones are known.
 function comp_filter:rapid(target, place) self:take(self:straight("rapid", target, nil, nil, place)) end
 function comp_filter:line(target, feed, kind, place) self:take(self:straight("line", target, feed, kind, place)) end
 function comp_filter:arc(...) self:take(self:circular(...)) end
 
--- How far the tool's own zero point lies from the middle of its edge radius: nowhere, except on a lathe.
+-- Distance of the tool's own zero point from the middle of its edge radius: zero, except on a lathe.
 comp_filter.origin = { 0, 0 }
 
 function comp_filter:placed(target, point)
@@ -93,7 +94,7 @@ function comp_filter:placed(target, point)
   return moved
 end
 
--- Puts out a straight move of the tool to a point; the other axes go where the item says.
+-- Outputs a straight move of the tool to a point; the other axes move to the target of the item.
 function comp_filter:put_straight(item, point, target, feed)
   local moved = self:placed(target or item.target, point)
   if item.kind == "rapid" then
@@ -109,7 +110,7 @@ function comp_filter:put_arc(item, point, centre, turn, sweep_rad, target, feed)
     feed or item.feed, item.place)
 end
 
--- Puts out a move that has no part in the plane, or an action, where the tool stands.
+-- Outputs a move without a part in the plane, or an action, at the present position of the tool.
 function comp_filter:put_beside(item)
   if item.kind == "act" then
     self.next:act(item.f)
@@ -120,8 +121,8 @@ end
 
 local function rounded(value) return math.floor(value * 1e6 + 0.5) / 1e6 end
 
--- A move that runs backwards, or cannot be reached, in words. The move to blame is in the line being executed or in
--- one shortly before it.
+-- Raises an alarm for a move that runs backwards, or cannot be reached. The move that causes it is in the
+-- line being executed or in one shortly before it.
 function comp_filter:say(item, text, ...)
   local to = item.segment and item.segment.to or self:point(item.target)
   local point = copied(item.target)

@@ -1,10 +1,11 @@
--- Plane geometry of cutter compensation, without any state. A point or vector is {u, v} on the two axes of the
--- plane. `side` is 1 where the tool runs on the left of the path and -1 on the right.
+-- Plane geometry of cutter compensation, without any state. A point or vector is {u, v} on the two axes of
+-- the
+-- plane. `side` is 1 if the tool runs on the left of the path and -1 on the right.
 --
 -- A segment is one programmed move:
 --   { from, to, heading = {direction at the start, direction at the end} }            a line
 --   the same with centre, turn (1 counterclockwise, -1 clockwise), radius, sweep      an arc
--- `radius` is the one at the end of the arc; a program may state arcs whose radii differ a little.
+-- `radius` is the one at the end of the arc; a program may define arcs with slightly different radii.
 
 local TURN = 2 * math.pi
 local SAME_ANGLE = 1e-6
@@ -25,7 +26,7 @@ function g.unit(vector)
   return { vector[1] / size, vector[2] / size }
 end
 
--- The vector turned by a quarter to the left, or to the right where side is -1.
+-- Returns the vector turned by a quarter to the left, or to the right if side is -1.
 function g.normal(direction, side) return { -direction[2] * side, direction[1] * side } end
 
 function g.line(from, to)
@@ -42,7 +43,8 @@ function g.arc(from, to, centre, ccw, sweep)
   }
 end
 
--- Where the tool stands beside the start and the end of a segment: at right angles, at that distance.
+-- Return the position of the tool next to the start and the end of a segment: at right angles, at that
+-- distance.
 function g.beside_start(segment, side, distance)
   return g.plus(segment.from, g.normal(segment.heading[1], side), distance)
 end
@@ -50,23 +52,24 @@ function g.beside_end(segment, side, distance)
   return g.plus(segment.to, g.normal(segment.heading[2], side), distance)
 end
 
--- True where the tool runs on the side of an arc on which its centre lies.
+-- Returns true if the tool runs on the same side of an arc as its centre.
 function g.tool_inside(segment, side) return segment.turn == side end
 
--- Radius of the path of the tool along an arc; not above 0 where the tool does not fit.
+-- Returns the radius of the path of the tool along an arc; not above 0 if the tool does not fit.
 function g.tool_radius(segment, side, distance) return segment.radius - segment.turn * side * distance end
 
--- Angle from one direction to another, above -pi and up to pi, above 0 to the left.
+-- Returns the angle from one direction to another, above -pi and up to pi, above 0 to the left.
 function g.angle(a, b) return math.atan(g.cross(a, b), g.dot(a, b)) end
 
--- Angle from one point to another about a centre in the sense of travel: above 0, up to a whole turn.
+-- Returns the angle from one point to another about a centre in the sense of travel: above 0, up to a full
+-- turn.
 function g.swept(from, to, centre, turn)
   local angle = (turn * g.angle(g.minus(from, centre), g.minus(to, centre))) % TURN
   return angle > 0 and angle or TURN
 end
 
--- The angle swept along an arc after its ends were moved or cut back. `programmed` tells the number of whole turns, and
--- a circle that is nearly closed from an arc that has nearly no length.
+-- Returns the angle swept along an arc after its ends were moved or cut back. `programmed` gives the number
+-- of full turns. It also distinguishes a circle that is nearly closed from an arc that has nearly no length.
 function g.swept_after(from, to, centre, turn, programmed)
   local whole_turns = math.ceil((programmed - SAME_ANGLE) / TURN) - 1
   local angle = g.swept(from, to, centre, turn) + whole_turns * TURN
@@ -75,8 +78,8 @@ function g.swept_after(from, to, centre, turn, programmed)
   return math.abs(angle - most) * g.distance(from, centre) < CLOSED_MM and most or angle
 end
 
--- Where two curves meet there are one or two points; the tool's way goes on at the one at which it turns to the
--- side of the tool, since that is where it has reached both.
+-- Two curves have one or two intersection points. The tool's path continues at the one at which it turns to
+-- the side of the tool, because there it has reached both.
 
 local function lines_meet(p, q, side, distance)
   local a, b = g.beside_end(p, side, distance), g.beside_start(q, side, distance)
@@ -86,7 +89,8 @@ local function lines_meet(p, q, side, distance)
   return g.plus(a, d, g.cross(g.minus(b, a), e) / sine)
 end
 
--- A line of this direction at this height to its left of the centre; ahead: the point where it leaves the circle.
+-- Returns a point on a line of this direction at this height to its left of the centre; ahead: the point
+-- where it leaves the circle.
 local function on_circle(centre, radius, direction, height, ahead)
   if math.abs(height) > radius then return nil end
   local along = math.sqrt(radius * radius - height * height)
@@ -94,7 +98,8 @@ local function on_circle(centre, radius, direction, height, ahead)
   return g.plus(foot, direction, ahead and along or -along)
 end
 
--- Height of the tool's way along a line above the centre of an arc; the corner is put on the circle of `radius`.
+-- Returns the height of the tool's path along a line above the centre of an arc; the corner is moved to the
+-- circle of `radius`.
 local function height_above(arc, corner, direction, side, distance)
   local spoke = g.unit(g.minus(corner, arc.centre))
   return g.cross(direction, spoke) * arc.radius + side * distance
@@ -112,7 +117,8 @@ local function arc_meets_line(p, q, side, distance)
     height_above(p, p.to, direction, side, distance), not g.tool_inside(p, side))
 end
 
--- Where two circles cut each other: the foot on the line of centres, its direction, and how far the points lie beside.
+-- Returns the intersection of two circles: the foot on the line of centres, its direction, and the distance
+-- of the points from that line.
 local function circles_cut(a, r1, b, r2)
   local apart = g.distance(a, b)
   if apart == 0 or r1 == 0 then return nil end
@@ -128,7 +134,8 @@ local function arcs_meet(p, q, side, distance)
   return foot and g.plus(foot, g.normal(axis, p.turn * q.turn * side), beside)
 end
 
--- The point of an inside corner at which the tool passes from segment p to q, or nil where it does not fit in.
+-- Returns the point of an inside corner at which the tool passes from segment p to q, or nil if it does not
+-- fit in.
 function g.meet(p, q, side, distance)
   if p.centre and q.centre then return arcs_meet(p, q, side, distance) end
   if p.centre then return arc_meets_line(p, q, side, distance) end
@@ -146,7 +153,8 @@ local function arc_and_line_cut(arc, arc_side, arc_distance, line, line_side, li
   }
 end
 
--- The points, none or two, that the tool's ways along two segments have in common, of which one or both are arcs.
+-- Returns the common points, zero or two, of the tool's paths along two segments, of which one or both are
+-- arcs.
 function g.crossings(p, p_side, p_distance, q, q_side, q_distance)
   if not q.centre then return arc_and_line_cut(p, p_side, p_distance, q, q_side, q_distance) end
   if not p.centre then return arc_and_line_cut(q, q_side, q_distance, p, p_side, p_distance) end
@@ -155,7 +163,7 @@ function g.crossings(p, p_side, p_distance, q, q_side, q_distance)
   return foot and { g.plus(foot, g.normal(axis, 1), beside), g.plus(foot, g.normal(axis, -1), beside) } or {}
 end
 
--- Whether a point of the segment's line or circle, or beside it, lies between its ends.
+-- Returns true if a point of the segment's line or circle, or next to it, lies between its ends.
 function g.within_arc(arc, point)
   return g.swept(arc.from, point, arc.centre, arc.turn) <= arc.sweep
 end
@@ -165,7 +173,7 @@ function g.within_line(line, point)
   return along >= 0 and along <= g.distance(line.from, line.to)
 end
 
--- Curvature to the left: 0 of a line.
+-- Returns the curvature to the left: 0 for a line.
 function g.curvature(segment) return segment.centre and segment.turn / segment.radius or 0 end
 
 return g

@@ -1,8 +1,9 @@
--- Automatic corner override (G62 of the 9/Series): while cutter compensation is on, the tool meets more material in an
--- inside corner than along a straight wall, so that the feed is lowered from so far before the corner to so far behind
--- it. What it is lowered to, how far and at which corners, a machine's maker sets ([controller] of the machine file).
--- As in Fanuc's manual for the Series 16i (B-63124EN, 5.4.2.1): distances along the tool's own way, not at the corner
--- behind the entry move, not with a radius of 0, and not in rapid moves.
+-- Automatic corner override (G62 of the 9/Series). While cutter compensation is on, the tool meets more
+-- material in an inside corner than along a straight wall. So the feed is lowered from a distance before the
+-- corner to a distance after it. The machine's maker sets the lowered feed, the distances and the corners
+-- ([controller] of the machine file).
+-- As in Fanuc's manual for the Series 16i (B-63124EN, 5.4.2.1): distances along the tool's own path, not at
+-- the corner after the entry move, not with a radius of 0, and not in rapid moves.
 
 local copied = use("core/basics", "copied")
 local g, state = use "common/comp_geometry", use "core/state"
@@ -11,18 +12,18 @@ local rules = core.corner_override
 
 local comp_override = {}
 
--- The machine's maker has set one.
+-- Returns true if the machine's maker has set one.
 function comp_override.is_set()
   return rules.percent < 100 and rules.before_mm + rules.after_mm > 0
 end
 
--- Whether the feed of the item is to be lowered at the corners at its ends. Where each move ends at rest anyway, parts
--- of it would too.
+-- Returns true if the feed of the item must be lowered at the corners at its ends. If each move ends at
+-- standstill anyway, its parts would too.
 function comp_override.is_on(item)
   return comp_override.is_set() and state.path_mode == 62 and item.kind ~= "rapid" and not core.stops_at_each_move
 end
 
--- Between two items is an inside corner at which the direction changes by `angle`.
+-- Marks an inside corner between two items at which the direction changes by `angle`.
 function comp_override.mark(p, q, angle)
   if math.pi - math.abs(angle) > math.rad(rules.angle_deg) + 1e-9 or p.radius == 0 then return end
   p.corner_behind, q.corner_before = p.overridden, q.overridden
@@ -36,8 +37,8 @@ local function lowered(feed)
   return low
 end
 
--- Where the parts of a way of that length end, as shares of it, and their feeds. A way that is shorter than its
--- distances from the corners is one part.
+-- Returns the ends of the parts of a path of that length, as shares of it, and their feeds. A path that is
+-- shorter than its distances from the corners is one part.
 function comp_override.parts(item, length_mm)
   local after = item.corner_before and rules.after_mm or 0
   local before = item.corner_behind and rules.before_mm or 0
@@ -51,7 +52,7 @@ function comp_override.parts(item, length_mm)
   return parts
 end
 
--- The point on a straight way or an arc at that share of it.
+-- Return the point on a straight path or an arc at that share of it.
 function comp_override.point_on_line(from, to, share)
   return g.plus(from, g.minus(to, from), share)
 end

@@ -24,7 +24,7 @@ local function radius_in_force()
   return radius_of(state.offset_number_d, "D")
 end
 
--- --- After G40: the machine stands beside the path until a move leads it out ---
+-- --- After G40: the machine is next to the path until a move leads it out ---
 
 local leaving = comp_filter.derive()
 
@@ -33,7 +33,7 @@ local function leave(self)
   compensation.filter = nil
 end
 
--- On the 9/Series moves outside the plane stay beside the path.
+-- On the 9/Series moves outside the plane stay next to the path.
 function leaving:way_out(target)
   local full = self:complete(target)
   local stays = not is_ngc and comp_geometry.distance(self:point(self.programmed), self:point(full)) == 0
@@ -83,7 +83,7 @@ end
 
 words.before("CIP", "compensation", compensation.refuse)
 
--- f() before each word of which the dialect's table says so.
+-- Calls f() before each word that has this entry in the dialect's table.
 local function hook(what, f)
   local names = {}
   for name, said in unordered(core.codes.compensation) do
@@ -101,7 +101,7 @@ local function ngc_words()
     end
     compensation.word, compensation.plane = name, core.plane()
     if radius < 0 then side, radius = -side, -radius end
-    -- In a mirror image left and right change over.
+    -- In a mirror image left and right are exchanged.
     if not select(2, plane_view.machine_plane(core.plane())) then side = -side end
     compensation.replace_filter(radius > 0 and comp_ngc(side, radius, orientation) or nil)
   end
@@ -127,7 +127,7 @@ local function ngc_words()
   end
 
   hook("ends the move", compensation.stop)
-  -- After a change of tool the program goes on from where the machine stands.
+  -- After a tool change the program continues from the present position of the machine.
   words.before("M6", "compensation", function()
     if compensation.word == nil then compensation.replace_filter(nil) end
   end)
@@ -170,7 +170,7 @@ local function ab9_words()
     end)
   end
 
-  -- A rotation that turns the plane takes it out of the one in which the path is led aside.
+  -- A rotation that turns the plane moves it out of the plane in which the path is offset.
   hooks.on("transform", "compensation", function()
     if compensation.word == nil then return end
     local lies, same_sense = plane_view.machine_plane(compensation.plane)
@@ -179,7 +179,7 @@ local function ab9_words()
     compensation.filter.same_sense = same_sense
   end)
 
-  -- Only the plane that is in force already.
+  -- Only the plane that is already active.
   for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
     words.before(name, "compensation", function()
       if plane ~= compensation.plane then compensation.refuse("a change of plane") end

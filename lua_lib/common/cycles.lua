@@ -1,6 +1,6 @@
--- Canned cycles: what both dialects share. A hole lies on the two axes of the plane in force, the tool goes in along
--- the third. Cycles are worked out in program coordinates, so that offsets, rotation and mirror image hold for
--- each stroke.
+-- Canned cycles: the common part of both dialects. A hole is at a position on the two axes of the active
+-- plane, the tool moves in along the third. Cycles are calculated in program coordinates, so that offsets,
+-- rotation and mirror image apply to each stroke.
 
 local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
 local word = use("core/words", "word")
@@ -16,14 +16,14 @@ for _, name in ipairs { "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", 
 end
 if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a thread, and is not modal
 
--- Whether the modal motion of that name is a canned cycle.
+-- Returns true if the modal motion of that name is a canned cycle.
 local function is_cycle(name) return cycle_names[name] == true end
 
--- Where a cycle leaves the tool: "initial" (G98) or "r" (G99).
+-- End level of the tool after a cycle: "initial" (G98) or "r" (G99).
 word("G98", function() state.return_level = "initial" end)
 word("G99", function() state.return_level = "r" end)
 
--- A word of a cycle: a number, or nil where it is left out.
+-- Returns a word of a cycle: a number, or nil if it is left out.
 local function cycle_word(words, letter, name)
   local value = words[letter]
   if value ~= nil and type(value) ~= "number" then
@@ -49,7 +49,7 @@ local function cycle_repeats(value, letter, name)
   return math.tointeger(value)
 end
 
--- A tool over a plane, moved by the plane's three axes in program coordinates (mm).
+-- Returns a tool over a plane, moved by the plane's three axes in program coordinates (mm).
 local function cycle_tool(plane, start)
   local tool = { start[plane.first], start[plane.second], start[plane.third] }
 
@@ -74,8 +74,8 @@ local function cycle_tool(plane, start)
   return tool
 end
 
--- The depths at which a hole drilled in pecks of `step` is left, above its bottom. What only rounding leaves above the
--- bottom is no peck.
+-- Returns the depths at which a hole drilled in pecks of `step` is left, above its bottom. A remainder above
+-- the bottom from rounding is no peck.
 local function pecks(from, bottom, step, name)
   if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
   if (from - bottom) / step > MOST_PECKS then
@@ -93,7 +93,8 @@ local function pecks(from, bottom, step, name)
   return depths
 end
 
--- Levels count in the work coordinate system, time per stroke has no meaning, nor has a path beside the hole.
+-- Levels count in the work coordinate system; time per stroke has no meaning, nor has a path next to the
+-- hole.
 local function check_cycle_modes(name)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   if core.feed_mode() == "inverse" then

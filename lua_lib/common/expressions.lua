@@ -1,4 +1,4 @@
--- Functions of expressions, as far as both dialects have them alike. A vacant variable is nil and counts as 0.
+-- Functions of expressions that are the same in both dialects. A vacant variable is nil and counts as 0.
 
 local alarm = use("core/basics", "alarm")
 
@@ -61,16 +61,16 @@ function env.goto_target(value)
   return whole
 end
 
--- Stands at the end of the program; the place is that of the GOTO.
+-- It is at the end of the program; the reported source location is that of the GOTO.
 function env.no_target(number)
   core.alarm_at_noted_place("jump", ("GOTO %.10g: no block of this program has that number "
     .. "(a computed GOTO does not lead into loops from outside)"):format(number))
 end
 
--- Block delete: /n is skipped where the operator has switched block delete on.
+-- Block delete: /n is skipped if the operator has switched block delete on.
 function env.skipped() return core.block_delete end
 
--- A text for the system variable that is set next: the remark of its block (#3000, #3006 of the 9/Series).
+-- Text for the system variable that is set next: the remark of its block (#3000, #3006 of the 9/Series).
 local remark
 function env.message(text) remark = text end
 

@@ -4,7 +4,7 @@ local alarm, copied, given = use("core/basics", "alarm", "copied", "given")
 local word = use("core/words", "word")
 local path = use "core/path"
 
--- The same feed for a part of a move: where a feed is a time, it is that part of the time.
+-- Returns the same feed for a part of a move: a feed that is a time becomes that part of the time.
 local function feed_of_part(feed, part)
   if feed == nil or feed.motion_s == nil then return feed end
   local same = copied(feed)

@@ -1,4 +1,4 @@
--- Units, absolute or incremental dimensions, planes, and what the words of offsets share.
+-- Units, absolute or incremental dimensions, planes, and the common part of the words of offsets.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -8,7 +8,7 @@ local is_ngc = core.dialect == "rs274ngc"
 
 local AXES = { a = true, b = true, c = true, u = true, v = true, w = true, x = true, y = true, z = true }
 
--- Words that are no axis of the machine. In RS274/NGC 0 for an axis that it does not have changes nothing.
+-- Handles words that are no axis of the machine. In RS274/NGC 0 for a missing axis has no effect.
 local function no_axis(letter, value, name)
   local is_axis = not is_ngc or AXES[letter]
   if is_ngc and is_axis and value == 0 then return end
@@ -16,8 +16,8 @@ local function no_axis(letter, value, name)
   alarm("word-out-of-place", "%s takes no word '%s'", name, tostring(letter))
 end
 
--- Calls set(letter, value in mm or deg) for each axis word; other keys that may stand there are in `others`, each
--- between blanks. False where no axis is named.
+-- Calls set(letter, value in mm or deg) for each axis word; `others` has other permitted keys, each between
+-- blanks. Returns false if no axis is named.
 local function each_axis(words, name, others, set)
   if type(words) ~= "table" then alarm("word-missing", "%s needs axis words", name) end
   local any = false

@@ -1,16 +1,17 @@
--- Groups of axes of the machine file ([[group]]): how they go beside moves of the tool to poses (common/neutral.lua).
+-- Groups of axes of the machine file ([[group]]): their motion during moves of the tool to poses
+-- (common/neutral.lua).
 
 local path = use "core/path"
 
--- group(name): a table of functions.
+-- group(name): returns a table of functions.
 function env.group(name)
-  core.group_motion(name)   -- an alarm where there is none
+  core.group_motion(name)   -- raises an alarm if it does not exist
   local group = {}
   function group.motion() return core.group_motion(name) end
   function group.synchronous() core.set_group_motion(name, "synchronous") end
   function group.coordinated() core.set_group_motion(name, "coordinated") end
   function group.independent() core.set_group_motion(name, "independent") end
-  -- By itself, beside the moves that follow.
+  -- Moves independently, during the moves that follow.
   function group.move(axes)
     path.flush()
     core.move_group(name, axes)

@@ -1,5 +1,5 @@
--- The control's own inputs and outputs. They are signals where there are processes: DI1, AI1, DO1 and AO1, or left.DI1
--- where robots have names.
+-- The controller's own inputs and outputs. They are signals if processes exist: DI1, AI1, DO1 and AO1, or
+-- left.DI1 if robots have names.
 
 local alarm = use("core/basics", "alarm")
 
@@ -7,7 +7,7 @@ local processes = core.processes
 
 local inputs = {}
 
--- on_input(f): what f answers is the value of an input; what it is asked is the dialect's.
+-- on_input(f): the result of f is the value of an input; the dialect defines the arguments.
 function env.on_input(f)
   if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
   inputs.answer = f
@@ -21,7 +21,7 @@ function inputs.set_output(kind, number, value)
   processes.signal(inputs.io_signal(kind, number), value)
 end
 
--- The value of an input now; nil where there are no processes.
+-- Returns the present value of an input; nil without processes.
 function inputs.input_value(kind, number)
   if not processes.several() then return nil end
   processes.join()

@@ -5,19 +5,20 @@ local hooks, path, polar, word_keys, words = use "core/hooks", use "core/path", 
 
 local motion = {}
 
--- Of each motion by its id: its name, and what `move` is where it is modal. Which one is modal, the core knows.
+-- By the id of each motion: its name, and the function `move` while it is modal. The core stores which one is
+-- modal.
 local names, moves = {}, {}
 core.set_modal_tables(env, names, moves)
 motion.names = names
 
--- A motion of that name; the result is for core.make_modal().
+-- Adds a motion of that name; the result is for core.make_modal().
 function motion.new(name, move)
   local id = words.id()
   names[id], moves[id] = name, move
   return id
 end
 
--- A motion that becomes modal, and its id: `move` is then the same without the change of mode.
+-- Returns a motion that becomes modal, and its id: `move` is then the same without the change of mode.
 local function modal_motion(name, meaning)
   local id = motion.new(name, core.word(words.id(), meaning))
   local word = core.word(id, function(values)
@@ -32,12 +33,13 @@ function motion.modal_word(name, meaning)
   env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
 end
 
--- Plain motions are C++ as long as nothing shapes them (core/shape.lua): by name the word and its id.
+-- Plain motions are C++ as long as no filter or macro changes them (core/shape.lua): by name the word and its
+-- id.
 local plain, shaped = {}, {}
 local in_use = plain
 
--- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++; `meaning` is
--- the same in Lua, for when something stands between the word and the machine.
+-- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++;
+-- `meaning` is the same in Lua, for use if a filter or macro is between the word and the machine.
 function motion.plain_word(name, word_in_core, move_in_core, meaning)
   local id = motion.new(name, move_in_core(words.id()))
   plain[name], shaped[name] = { word = word_in_core(id), id = id }, {}
@@ -45,14 +47,14 @@ function motion.plain_word(name, word_in_core, move_in_core, meaning)
   env[name] = plain[name].word
 end
 
--- The motion of an id; of a plain one as it is in use now.
+-- Returns the motion of an id; for a plain one the variant that is in use now.
 function motion.as_in_use(id)
   local name = names[id]
   local is_plain = plain[name] and (id == plain[name].id or id == shaped[name].id)
   return is_plain and in_use[name].id or id
 end
 
--- What has been defined anew since stays as it is.
+-- A word that a script has redefined since stays as it is.
 local function put_in_use(motions)
   for name, own in unordered(motions) do
     if env[name] == in_use[name].word then env[name] = own.word end
@@ -62,9 +64,9 @@ local function put_in_use(motions)
   if modal ~= core.motion_id() then core.make_modal(modal) end
 end
 
--- For a while other meanings may stand in for words, in layers: the last one is nearest to the program.
+-- Words may have temporary replacements, in layers: the last layer is nearest to the program.
 local LAYERS = { "modal macro", "line angle" }
-local covers, covered = {}, {}   -- meanings by name: of each layer, and what they stand for
+local covers, covered = {}, {}   -- meanings by name: of each layer, and those they replace
 
 local function uncover()
   for name, meaning in unordered(covered) do env[name] = meaning end
@@ -80,7 +82,7 @@ local function put_covers()
   end
 end
 
--- `meanings` by name stand in for these words; nil: the layer's no longer.
+-- Replaces these words by `meanings` by name; nil: ends the layer.
 function motion.cover(layer, meanings)
   if covers[layer] == meanings then return end
   uncover()
@@ -88,7 +90,7 @@ function motion.cover(layer, meanings)
   put_covers()
 end
 
--- Plain words change behind what stands in for them.
+-- Plain words change below their replacements.
 hooks.on("shape", "motions", function(is_shaped)
   uncover()
   put_in_use(is_shaped and shaped or plain)
@@ -109,13 +111,13 @@ end
 line("G0", true)
 line("G1", false)
 
--- No motion is modal: axis words need one.
+-- No motion is modal, so axis words need one.
 local none = motion.new("G80", core.word(words.id(), function()
   alarm("mode", "axis words need a motion, and G80 has ended the one that was in force")
 end))
 function motion.end_motion() core.make_modal(none) end
 
--- In RS274/NGC axis words need a motion of the program's own.
+-- In RS274/NGC the program must set a motion for axis words.
 core.make_modal(core.dialect == "rs274ngc" and none or plain.G0.id)
 
 return motion

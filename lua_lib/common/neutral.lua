@@ -1,7 +1,7 @@
 -- Robot-neutral moves to poses: mm and degrees, roll about Z, pitch about Y, yaw about X. The feed is F, in
--- mm/min; a joint move is as fast as the joints are. A linear move is a line of the tool in the work frame, a circular
--- one an arc; where the linear axes alone carry the tip these are lines and arcs of the axes. Groups of axes go beside
--- them: MoveLinear{x=, ..., table={c=90}}.
+-- mm/min; a joint move is as fast as the joints are. A linear move is a line of the tool in the work frame, a
+-- circular one an arc. If only linear axes move the TCP, these are lines and arcs of the axes. Groups of axes
+-- move at the same time: MoveLinear{x=, ..., table={c=90}}.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -26,7 +26,7 @@ local function checked(pose, name)
   return pose
 end
 
--- Nothing may stand between the poses and the machine.
+-- The path between the poses and the machine must have no filter.
 local function begin(name)
   compensation.refuse(name)
   axes.refuse_with_tip_control(name)

@@ -1,10 +1,11 @@
--- What the program locks of the operator's overrides: the moves that follow go as programmed, whatever they are turned to.
+-- Operator overrides that the program locks: the moves that follow run as programmed, whatever the overrides
+-- are.
 
 local path = use "core/path"
 
 local overrides = {}
 
-local locks = {}   -- by who has set them: { feed = true, rapid = true, spindle = false }
+local locks = {}   -- by their owner: { feed = true, rapid = true, spindle = false }
 
 local function tell()
   local all = {}
@@ -14,13 +15,13 @@ local function tell()
   path.act(function() core.lock_overrides(all.feed, all.rapid, all.spindle) end)
 end
 
--- `who` locks those of `what` that are true, and no others.
+-- Locks for `who` the overrides that are true in `what`, and no others.
 function overrides.lock(who, what)
   locks[who] = what
   tell()
 end
 
--- f() moves as programmed: taps, which must keep step with a spindle.
+-- Calls f() with moves as programmed: taps, which must keep step with a spindle.
 function overrides.without(f)
   overrides.lock("a tap", { feed = true, rapid = true, spindle = true })
   f()

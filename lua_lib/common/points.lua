@@ -5,9 +5,9 @@ local axes = use "core/axes"
 
 local MOST_NAMED = 10
 
--- A point as axis words in program units, so that G53() G0(fixed "CLAMP1") goes there in mm, in inches and where X is a
--- diameter. Axes that the machine does not have, or the point no value for, are left out. Each call gives a table of its
--- own, of which a script may change or take away words.
+-- Returns a point as axis words in program units, so that G53() G0(fixed "CLAMP1") moves there in mm, in
+-- inches and if X is a diameter. Axes that the machine does not have, or without a value in the point, are
+-- left out. Each call returns a table of its own, in which a script may change or remove words.
 local function words_of(point)
   local words = {}
   for _, axis in ipairs(axes.list) do
@@ -29,8 +29,8 @@ local function known(points)
   return #numbers == 0 and "there are none" or "there are " .. table.concat(texts, ", ") .. more
 end
 
--- env[name](which) gives a point of that table by its number, or by its name in any case. `what` is a point for people,
--- `section` where the machine data have it.
+-- Defines env[name](which), which returns a point of that table by its number, or by its name in any case.
+-- `what` is the name of a point in messages, `section` that of its table in the machine data.
 local function define(name, points, what, section)
   local by_name = {}
   for _, point in pairs(points) do

@@ -11,12 +11,13 @@ local polar = {}
 local angle = { xy = 0, zx = 0, yz = 0 }
 local radius = { xy = 0, zx = 0, yz = 0 }
 
-local by_another   -- gives the words of a move in place of polar programming, or nil
+local by_another   -- returns the words of a move instead of polar programming, or nil
 
--- f(words) gives the words of moves from here on (lines by their angle); nil: no longer.
+-- Sets f(words) to return the words of moves from here on (lines by their angle); nil: not any more.
 function polar.resolve_by(f) by_another = f end
 
--- The words of a move with Cartesian values in place of polar ones; the table itself where polar programming is off.
+-- Returns the words of a move with Cartesian values instead of polar ones; the table itself if polar
+-- programming is off.
 function polar.resolve(words)
   if by_another then return by_another(words) end
   if not state.polar or core.in_machine_frame() then return words end   -- machine coordinates are no radius and angle

@@ -1,13 +1,14 @@
--- Moves that a signal ends: probing, skip. The signal comes from what stands in the cell, from what --probe tells, or a
--- script says where:
+-- Moves that a signal ends: probing, skip. The signal comes from the bodies in the cell, from --probe, or
+-- from a script:
 --   on_probe(function(from, to) return point or part or nil end)
--- `from` and `to` hold machine coordinates by axis letter (mm, deg); the answer is a point on the way, or the part of
--- the way from 0 to 1, or nil where nothing is touched. A function `probe` of the script does the same.
+-- `from` and `to` hold machine coordinates by axis letter (mm, deg). The result is a point on the path, or
+-- the share of
+-- the path from 0 to 1, or nil without contact. A function `probe` of the script does the same.
 
 local alarm = use("core/basics", "alarm")
 local path = use "core/path"
 
-local OFF_THE_WAY_MM = 0.01   -- how far an answer may lie beside the way
+local OFF_THE_WAY_MM = 0.01   -- max distance of a result from the path
 
 local answer
 
@@ -22,7 +23,7 @@ local function between(from, to, part)
   return point
 end
 
--- The part of the way at which `point` lies; axes that it leaves out are on the way.
+-- Returns the share of the path at which `point` lies; axes that it leaves out are on the path.
 local function part_of(from, to, point)
   local along, length = 0, 0
   for letter, value in pairs(point) do
@@ -42,7 +43,8 @@ local function part_of(from, to, point)
   return part
 end
 
--- What the script says of the way: the part of it where the signal comes, false where none does, nil without a script.
+-- Returns the script's result for the path: the share of it at the signal, false without a signal, nil
+-- without a script.
 local function part_answered(from, to)
   local f = answer or rawget(env, "probe")
   if f == nil then return nil end
@@ -54,9 +56,10 @@ local function part_answered(from, to)
   return math.max(0, math.min(1, part))
 end
 
--- Moves toward `target` until the probe touches, or with `away` until it comes free. Gives whether it did, whether it
--- had before the move (which is none then; a script is taken to mean it), and where: machine coordinates by letter. The
--- machine stops as soon as it can behind that point.
+-- Moves toward `target` until the probe touches, or with `away` until it comes free. Returns true if it did.
+-- Also returns true if it had before the move, which is then not made (a script is assumed to mean it). The
+-- third result is the position: machine coordinates by letter. The machine stops as soon as it can after that
+-- point.
 return function(target, away)
   path.flush()
   local from = {}

@@ -1,6 +1,6 @@
--- What switches the machine's process: the words that [process] of the machine file names, whatever the dialect has
--- them for. core.process is nil where there is no such table, else { kind = "jet", on = {...}, off = {...} } with
--- entries { code = "M62", text = "M62 P0", words = { p = 0 } }.
+-- Words that switch the machine's process: those that [process] of the machine file names, whatever their
+-- meaning in the dialect. core.process is nil without such a table, else { kind = "jet", on = {...}, off =
+-- {...} } with entries { code = "M62", text = "M62 P0", words = { p = 0 } }.
 
 local path, words = use "core/path", use "core/words"
 
@@ -16,7 +16,7 @@ local function add_entries(list, on)
   end
 end
 
--- What a word does to the process: an entry with `on`, or nil.
+-- Returns the effect of a word on the process: an entry with `on`, or nil.
 function process.entry(code, given)
   for _, entry in ipairs(by_code[code] or {}) do
     local fits = true
@@ -27,21 +27,21 @@ function process.entry(code, given)
   end
 end
 
--- Outputs that come with the next move.
+-- Outputs that switch with the next move.
 local WITH_MOTION = { M62 = true, M63 = true, M67 = true }
 
 local switching   -- the entry of the word that acts
 
 local function own_kind(entry) return core.process.kind .. (entry.on and "_on" or "_off") end
 
--- act(...), as a word that may switch the process.
+-- Calls act(...) as a word that may switch the process.
 function process.switched_by(code, given, act, ...)
   local entry = by_code[code] and process.entry(code, given)
   if entry == nil then return act(...) end
   path.act(function() core.set_process(entry.on, WITH_MOTION[code] or false) end)
   switching = entry
   local result = act(...)
-  if switching == entry then   -- it said nothing
+  if switching == entry then   -- it sent no event
     switching = nil
     path.event(own_kind(entry), entry.text)
   end
@@ -53,7 +53,7 @@ if core.process == nil then return process end
 add_entries(core.process.on, true)
 add_entries(core.process.off, false)
 
--- Events that say what a switching word does; in its place they say what it does here.
+-- Events for the function of a switching word; they are replaced by events for its function here.
 local says_what = {}
 for _, kind in ipairs { "jet_on", "jet_off", "abrasive_on", "abrasive_off", "coolant_2_on", "mist_on", "flood_on",
                         "coolant_off", "digital_output", "analog_output", "spindle_cw", "spindle_ccw", "spindle_off" } do
@@ -68,7 +68,7 @@ path.tell_otherwise(function(kind, detail)
   return own_kind(entry), entry.text
 end)
 
--- The spindle says itself what its words switch (common/spindle.lua).
+-- The spindle itself reports the switching of its words (common/spindle.lua).
 local OF_SPINDLE = { M3 = true, M4 = true, M5 = true }
 for code in pairs(by_code) do
   if not OF_SPINDLE[code] then

@@ -1,5 +1,6 @@
--- Processes: several activities on one simulated clock, and the signals by which they tell each other. What joins
--- processes brings the robot to rest and goes on when no other process is behind (processes.join).
+-- Processes: several activities on one simulated clock, and the signals between them. A word that joins
+-- processes brings the robot to a standstill and continues when no other process is at an earlier time
+-- (processes.join).
 
 local alarm = use("core/basics", "alarm")
 local programs = use "core/programs"
@@ -21,7 +22,8 @@ end
 env.process = start(false)
 env.device = start(true)
 
--- The function of the main process: next_script() gives the functions that load the scripts, one after the other.
+-- Returns the function of the main process: next_script() returns the functions that load the scripts, one
+-- after the other.
 local function main_process(next_script)
   return function()
     local script = next_script()
@@ -33,7 +35,7 @@ local function main_process(next_script)
   end
 end
 
--- on_signal(name, f): f() runs between two lines of the process that says so.
+-- on_signal(name, f): f() runs between two lines of the process that calls it.
 local function run_interrupt(f)
   processes.rest()
   f()
@@ -56,7 +58,7 @@ function env.value(name)
   return processes.value(name)
 end
 
--- f() until it is true; asked anew when a signal changes.
+-- Calls f() until it is true; again after each change of a signal.
 local function wait_for(f, seconds)
   local last = seconds and processes.time() + seconds
   while not f() do
@@ -74,7 +76,7 @@ end
 
 function env.robot(name) return processes.robot(name) end
 
--- One process has a shared zone at a time; others wait for it in the order in which they come.
+-- One process has a shared zone at a time; others wait for it in the order of their requests.
 function env.enter_zone(name)
   processes.join()
   processes.enter_zone(name)
@@ -85,7 +87,7 @@ function env.leave_zone(name)
   processes.leave_zone(name)
 end
 
--- conveyor(name): a table of functions.
+-- conveyor(name): returns a table of functions.
 function env.conveyor(name)
   processes.conveyor(name)
   local belt = {}
@@ -97,7 +99,7 @@ function env.conveyor(name)
     processes.join()
     processes.conveyor_speed(name, mm_s)
   end
-  -- Until it has travelled that far; a change of its speed is a change of the signal NAME.speed.
+  -- Waits until it has travelled that far; a change of its speed is a change of the signal NAME.speed.
   function belt.wait_for(position_mm)
     processes.join()
     while true do
@@ -109,7 +111,7 @@ function env.conveyor(name)
   return belt
 end
 
--- Moves that follow are in the frame of a conveyor; nil: no longer.
+-- Sets the moves that follow to be in the frame of a conveyor; nil: no conveyor.
 function env.track(name)
   processes.join()
   processes.track(name)

@@ -1,5 +1,5 @@
--- The spindle. It turns and stops by words, by cycles and with a change of the tool, each of which may switch the
--- machine's process; and moves in step with it: threads and rigid tapping.
+-- The spindle. Words, cycles and tool changes turn and stop it, and each of them may switch the machine's
+-- process. Moves in step with it are threads and rigid tapping.
 
 local alarm = use("core/basics", "alarm")
 local path, process, state = use "core/path", use "common/process", use "core/state"
@@ -15,12 +15,13 @@ local function turn(direction)
   path.event(direction and "spindle_" .. direction or "spindle_off", nil, nil, changed)
 end
 
--- The spindle turns "cw" or "ccw", or stands (nil).
+-- Turns the spindle "cw" or "ccw", or stops it (nil).
 function spindle.turn(direction)
   process.switched_by(WORDS[direction] or STOP, nil, turn, direction)
 end
 
--- Its speed in rev/min: for the feeds of the words that follow at once, for the machine behind the moves so far.
+-- Sets its speed in rev/min: for the feeds of the words that follow at once, for the machine after the moves
+-- so far.
 function spindle.set_speed(rpm)
   core.set_spindle(rpm)
   path.act(function() core.set_spindle_speed(rpm) end)
@@ -32,12 +33,12 @@ local function orient()
   path.event("spindle_orient")
 end
 
--- It stands still at its marked angle, so that the tool can be moved off the wall.
+-- Stops it at its marked angle, so that the tool can be moved off the wall.
 function spindle.orient()
   process.switched_by(STOP, nil, orient)
 end
 
--- The feed that cuts `pitch_mm` a turn at the speed in force.
+-- Returns the feed that cuts `pitch_mm` per turn at the active speed.
 function spindle.thread_feed(pitch_mm, name)
   local rpm = core.spindle_rpm()
   if not (pitch_mm > 0) then

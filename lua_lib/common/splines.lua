@@ -1,4 +1,4 @@
--- Curves in the XY plane by control points, as LinuxCNC drives them: four times as many stretches as there are control
+-- Curves in the XY plane by control points, in the manner of LinuxCNC: four times as many sections as control
 -- points, each a pair of arcs that have its ends and its tangents.
 
 local space_between = use("core/basics", "space_between")
@@ -22,14 +22,16 @@ end
 
 local function place_of(point) return { x = point[1] / point[4], y = point[2] / point[4], z = point[3] / point[4] } end
 
--- Knots of a NURBS that begins at its first control point and ends at its last, evenly spaced between.
+-- Returns the knots of a NURBS that begins at its first control point and ends at its last, evenly spaced
+-- between.
 local function even_knots(count, order)
   local knots = {}
   for i = 1, count + order do knots[i] = math.max(0, math.min(i - order, count - order + 1)) end
   return knots
 end
 
--- The blossom (polar form) of span `span`, whose control points are points[span - degree .. span].
+-- Returns the blossom (polar form) of span `span`, which has the control points points[span - degree ..
+-- span].
 local function blossom(points, knots, degree, span, arguments)
   local row = {}
   for i = 0, degree do row[i] = points[span - degree + i] end
@@ -42,7 +44,7 @@ local function blossom(points, knots, degree, span, arguments)
   return row[degree]
 end
 
--- The place on a curve, its parameter from 0 to count - degree.
+-- Returns the position on a curve, its parameter from 0 to count - degree.
 local function place_at(curve, parameter)
   local degree = curve.order - 1
   local span = math.min(math.floor(parameter) + curve.order, #curve.points)
@@ -63,7 +65,7 @@ local function tangent_at(curve, parameter, last)
   return { unit(b.x - a.x, b.y - a.y) }
 end
 
--- The arc from a to b that leaves along a tangent, or the line.
+-- Adds the arc from a to b that leaves along a tangent, or the line.
 local function add_arc(pieces, a, b, tangent)
   local x, y = b.x - a.x, b.y - a.y
   local aside = 2 * (y * tangent[1] - x * tangent[2])
@@ -78,8 +80,8 @@ local function add_arc(pieces, a, b, tangent)
   piece.length = math.abs(radius) * piece.sweep
 end
 
--- How far the corners of both arcs' tangents are from the ends: as far from the one as from the other. None where the
--- tangents lead away.
+-- Returns the distance of the corners of both arcs' tangents from the ends, equal at both ends. Returns nil
+-- if the tangents lead away.
 local function reach(a, b, out, into)
   local vx, vy = a.x - b.x, a.y - b.y
   local square = vx * vx + vy * vy
@@ -103,8 +105,9 @@ local function add_pair(pieces, a, b, out, into)
   add_arc(pieces, meeting, b, { unit(after.x - meeting.x, after.y - meeting.y) })
 end
 
--- Arcs and lines along a NURBS with these control points ({x, y, z} in mm) and weights, one behind the other: each has
--- its end x, y, z, its length, and if it is an arc ccw, its centre first, second, and sweep (rad).
+-- Returns arcs and lines along a NURBS with these control points ({x, y, z} in mm) and weights, one after the
+-- other. Each has its end x, y, z, its length, and if it is an arc ccw, its centre first, second, and sweep
+-- (rad).
 function splines.arcs(points, weights, order)
   local held = {}
   for i, point in ipairs(points) do held[i] = weighted(point, weights[i]) end
@@ -123,14 +126,16 @@ end
 
 local SHORTEST_STEP, LONGEST_STEP = 0.002, 0.1   -- of the parameter, from 0 to 1
 
--- How far the middle of the line from `a` to `b` is from `middle`, as the sum of its coordinates.
+-- Returns the distance of the middle of the line from `a` to `b` from `middle`, as the sum of its
+-- coordinates.
 local function off(a, middle, b)
   return math.abs((a.x + b.x) / 2 - middle.x) + math.abs((a.y + b.y) / 2 - middle.y)
 end
 
--- The chords, as lines of splines.arcs, of a cubic Bezier curve with these four control points, as grblHAL chooses them
--- (mc_cubic_b_spline() of its motion_control.c): a step of the parameter is that of the chord before, halved until the
--- middle of the chord is within `tolerance` of the curve, or, where it was so at once, doubled while it stays so.
+-- Returns the chords, as lines of splines.arcs, of a cubic Bezier curve with these four control points, as
+-- grblHAL selects them (mc_cubic_b_spline() of its motion_control.c). A step of the parameter is that of the
+-- chord before, halved until the middle of the chord is within `tolerance` of the curve. If it was so at
+-- once, the step is doubled while it stays so.
 function splines.chords(points, tolerance)
   local curve = { points = {}, order = #points, knots = even_knots(#points, #points) }
   for i, point in ipairs(points) do curve.points[i] = weighted(point, 1) end
@@ -157,7 +162,7 @@ function splines.chords(points, tolerance)
   return chords
 end
 
--- The four control points of the cubic curve that is a quadratic one with these three.
+-- Returns the four control points of the cubic curve that equals a quadratic one with these three.
 function splines.raised(points)
   local a, middle, b = points[1], points[2], points[3]
   local function toward(point) return { x = point.x + (middle.x - point.x) * 2 / 3,

@@ -1,4 +1,4 @@
--- What the machine switches besides its spindle, whatever the dialect. A switch happens at rest.
+-- Switches of the machine in addition to its spindle, for all dialects. A switch happens at standstill.
 
 local word = use("core/words", "word")
 local path = use "core/path"

@@ -1,12 +1,12 @@
--- How long words take: [times] of the machine file, in s. core.times is nil where there is no such table, else
--- { tool_change = 8.0, ..., codes = { M100 = 0.5 } }.
+-- Durations of words: [times] of the machine file, in s. core.times is nil without such a table, else {
+-- tool_change = 8.0, ..., codes = { M100 = 0.5 } }.
 
 local path, process, words = use "core/path", use "common/process", use "core/words"
 
 local times = core.times
 if times == nil then return end
 
--- The name of the time of each word.
+-- Name of the time of each word.
 local named = {
   M3 = "spindle_start", M4 = "spindle_start", M5 = "spindle_stop",
   M6 = "tool_change", M7 = "coolant_on", G10 = "tool_table",
@@ -20,7 +20,7 @@ else
   tool_tables[12], tool_tables[13] = true, true
 end
 
--- How long it takes, and the key of [times] that says so.
+-- Returns the duration, and the key of [times] that defines it.
 local function time_of(code, given)
   if times.codes[code] then return times.codes[code], code end
   if code == "G10" and not tool_tables[given.l] then return 0 end

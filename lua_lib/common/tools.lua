@@ -7,8 +7,8 @@ local axes, frames, path, spindle, state = use "core/axes", use "common/frames",
 
 local is_ngc = core.dialect == "rs274ngc"
 
--- The tool table by number: { length = mm (along Z), diameter = mm }, and offsets of other axes by their letters.
--- G10 changes it; an offset in force stays as it is until it is called again.
+-- The tool table by number: { length = mm (along Z), diameter = mm }, and offsets of other axes by their
+-- letters. G10 changes it; an active offset stays as it is until it is called again.
 local tool_table = {}
 for number, stored in pairs(core.tools) do
   local tool = copied(stored)
@@ -19,7 +19,7 @@ for number, stored in pairs(core.tools) do
   tool_table[number] = tool
 end
 
--- A tool's length or diameter without its wear, mm.
+-- Returns a tool's length or diameter without its wear, mm.
 local function tool_geometry(tool, field)
   local geometry, wear = tool[field .. "_geometry"], tool[field .. "_wear"] or 0
   if geometry and geometry + wear == tool[field] then return geometry end   -- a difference would round
@@ -29,7 +29,7 @@ end
 local selected   -- by T, nil before the first one
 local loaded = 0
 
--- The number of the tool in the spindle; 0: none.
+-- Return the number of the tool in the spindle, or of the selected one; 0: no tool.
 local function current_tool() return loaded end
 local function selected_tool() return selected or 0 end
 
@@ -44,8 +44,8 @@ local function known_numbers()
   return "it has " .. table.concat(numbers, ", ", 1, math.min(#numbers, MOST_NAMED)) .. more
 end
 
--- The entry of a number that a word `name` gives; 0 has none. Without any table lengths are 0, but a diameter that is
--- needed has to be known.
+-- Returns the entry of a number that a word `name` gives; 0 has no entry. Without any table lengths are 0,
+-- but a required diameter must be known.
 local function tool_entry(number, name)
   if number == 0 then return nil end
   local tool = tool_table[number]
@@ -80,12 +80,13 @@ end
 word("T", function(value)
   if not given(value, "T") then return end
   local number = whole(value, "T")
-  if is_ngc then tool_entry(number, "T") end   -- on the 9/Series T is a place, and offsets have numbers of their own
+  -- on the 9/Series T is a pocket, and offsets have numbers of their own
+  if is_ngc then tool_entry(number, "T") end
   selected = number
   path.event("tool_select", ("T%d"):format(number))
 end)
 
--- A change is a stop of the spindle, where it turns.
+-- A tool change stops the spindle, if it turns.
 word("M6", function()
   if is_ngc and state.spindle ~= nil then spindle.turn(nil) end
   loaded = selected or loaded
@@ -96,7 +97,7 @@ word("D", function(value)
   if given(value, "D") then state.offset_number_d = whole(value, "D") end
 end)
 
--- Offsets of all axes, by their letters.
+-- Sets the offsets of all axes, by their letters.
 local function offset_in_force(offset)
   if core.tip_control() then
     path.flush()
@@ -123,8 +124,8 @@ local function h_word(words, name)
   return number
 end
 
--- G43.4: X, Y and Z are the tip of the tool, in the work, whatever the rotary axes do (TipFrame). The length goes along
--- the tool, so that none is left for the frame.
+-- G43.4: X, Y and Z are the TCP, in the work, whatever the rotary axes do (TipFrame). The length applies
+-- along the tool, so that the frame has no length offset.
 local function tip_control(offset)
   for letter, value in pairs(offset) do
     if value ~= 0 and not ("xyz"):find(letter, 1, true) then
@@ -134,7 +135,7 @@ local function tip_control(offset)
   offset_in_force({})
   path.flush()
   core.set_tip_control(offset)
-  core.set_tool_offset(offset.x, offset.y, offset.z)   -- zones are where they are with G43
+  core.set_tool_offset(offset.x, offset.y, offset.z)   -- zones are at the same positions as with G43
 end
 
 local function off()
@@ -143,8 +144,8 @@ local function off()
 end
 word("G49", off)
 
--- 9/Series: the length of offset H is added along Z (G43) or taken away (G44), for as long as one of them holds. H
--- alone calls another number.
+-- 9/Series: the length of offset H is added along Z (G43) or subtracted (G44), as long as one of them is
+-- active. H alone calls another number.
 local function apply_length()
   if state.length_sign == "tip" then return tip_control({ z = tool_length_mm(state.offset_number_h or 0) }) end
   offset_in_force({ z = state.length_sign * tool_length_mm(state.offset_number_h or 0) })
@@ -203,7 +204,7 @@ local function ngc_words()
     offset_in_force(offset)
   end)
 
-  -- The tool that is in the spindle already, without a change.
+  -- M61 sets the tool that is in the spindle already, without a change.
   word("M61", function(words)
     if words == nil or words.q == nil then
       alarm("word-missing", "M61 needs Q, the number of the tool in the spindle")

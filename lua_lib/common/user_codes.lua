@@ -7,7 +7,7 @@ local words = use "core/words"
 local LAST = 999
 
 local defined = {}
-local ids = {}   -- word id by number: a code that is defined anew keeps its id
+local ids = {}   -- word id by number: a code that is redefined keeps its id
 
 local function nothing() end
 
@@ -44,7 +44,7 @@ local function make_word(whole, meaning)
   return defined[whole]
 end
 
--- Of a code that is not defined, what goes before and after it alone.
+-- Returns only the hooks before and after a code that is not defined.
 local function of_hooks(number)
   local whole = math.tointeger(number)
   return whole and words.is_hooked("M" .. whole) and make_word(whole, nothing) or undefined(number)

@@ -3,7 +3,7 @@
 local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
 local path = use "core/path"
 
--- switch_zone(n, on): the zones with that number hold from here on, or no more.
+-- switch_zone(n, on): the zones with that number are active from here on, or no longer.
 function env.switch_zone(number, on)
   number = nearly_whole(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 1 or number > 99 then

@@ -1,4 +1,4 @@
--- The axes of the machine, and where they stand.
+-- Axes of the machine, and their positions.
 
 local alarm = use("core/basics", "alarm")
 
@@ -12,8 +12,8 @@ local function point_of(position)
   return point
 end
 
--- Where the program stands and where the machine stands, in machine coordinates of all axes. They differ while a filter
--- of the path moves or holds back moves.
+-- Return the position of the program and that of the machine, in machine coordinates of all axes. They differ
+-- while a filter of the path shifts or buffers moves.
 function axes.programmed_point() return point_of(core.position) end
 function axes.machine_point() return point_of(core.machine_position) end
 
@@ -22,33 +22,34 @@ for _, axis in ipairs(axes.list) do
   if axis.unwinds then unwinding[#unwinding + 1] = axis.letter end
 end
 
--- A point as the control shows it: axes that unwind show no whole turns.
+-- Returns a point as the controller displays it: axes that unwind show no full turns.
 function axes.shown(point)
   for _, letter in ipairs(unwinding) do point[letter] = core.reading(letter, point[letter]) end
   return point
 end
 
--- The program coordinates of the programmed point, in mm and deg.
+-- Returns the program coordinates of the programmed point, in mm and deg.
 function axes.program_position()
   return core.to_program(#unwinding > 0 and axes.shown(axes.programmed_point()) or {})
 end
 
--- The value of an axis word in program units, of which it may count another number (core.set_word_factor).
+-- Returns the value of an axis word in program units, which the word may count with another factor
+-- (core.set_word_factor).
 function axes.word_in_units(letter, value)
   return is_rotary[letter] ~= nil and value * core.word_factor(letter) or value
 end
 
--- The value of an axis in mm or deg, and in program units.
+-- Return the value of an axis in mm or deg, and in program units.
 function axes.in_mm(letter, value) return is_rotary[letter] and value or value * core.unit_mm() end
 function axes.in_program_units(letter, value) return is_rotary[letter] and value or value / core.unit_mm() end
 
--- The direction of a program axis in the machine; with scaling its length is the factor.
+-- Returns the direction of a program axis in the machine; with scaling its length is the factor.
 function axes.direction(letter)
   local x, y, z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
   return { x = x, y = y, z = z }
 end
 
--- What means places of the axes themselves.
+-- Raises an alarm for words that mean positions of the axes themselves.
 function axes.refuse_with_tip_control(what)
   if core.tip_control() then
     alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)

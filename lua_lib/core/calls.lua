@@ -1,4 +1,4 @@
--- Around each call of a subprogram.
+-- Actions around each call of a subprogram.
 
 local alarm = use("core/basics", "alarm")
 local hooks, state = use "core/hooks", use "core/state"
@@ -11,7 +11,7 @@ local on_call, on_return = hooks.listeners "call", hooks.listeners "return"
 
 local calls = {}
 
--- Begins a call; `arguments` of an O-word's. The result is for leave().
+-- Begins a call; `arguments` are those of an O-word. The result is for leave().
 function calls.enter(name, arguments)
   if state.depth >= MAX_DEPTH then alarm("nesting", TOO_DEEP, name, MAX_DEPTH) end
   state.depth = state.depth + 1

@@ -1,5 +1,5 @@
--- What happens by the way: hooks of words (core/words.lua) and of events, each under a name. Of several at one place the order
--- is that of this list, wherever they are said.
+-- Hooks of words (core/words.lua) and of events, each with a name. If several have the same position, their
+-- order is that of this list, in any order of definition.
 
 local ORDER = {
   "compensation", "rotation", "modal codes", "modal state", "named parameters", "numbered parameters", "motions",
@@ -16,7 +16,7 @@ function hooks.new(name, call, kind)
   return { rank = rank[name], call = call, kind = kind }
 end
 
--- Puts a hook into a list by its rank; of one name the earlier one is first.
+-- Inserts a hook into a list by its rank; if names are equal the earlier one is first.
 function hooks.insert(list, hook)
   local place = #list + 1
   while place > 1 and list[place - 1].rank > hook.rank do place = place - 1 end
@@ -25,16 +25,17 @@ end
 
 -- Events, each with its listeners:
 --   "begin"      all files are loaded
---   "shape"      plain motions go by Lua from here on, or no longer (core/shape.lua)
---   "frame"      another work coordinate system is in force (9/Series)
---   "transform"  the matrix of the program is another one (9/Series)
+--   "shape"      plain motions run in Lua from here on, or no longer (core/shape.lua)
+--   "frame"      another work coordinate system is active (9/Series)
+--   "transform"  the matrix of the program has changed (9/Series)
 --   "call"       a subprogram begins: frame, arguments or nil (core/calls.lua)
 --   "return"     it ends: frame
 local listeners = { begin = {}, shape = {}, frame = {}, transform = {}, call = {}, ["return"] = {} }
 
 function hooks.on(event, name, f) hooks.insert(listeners[event], hooks.new(name, f)) end
 
--- Those of an event, in their order; of one that happens so often that it is told by hand.
+-- Returns the listeners of an event, in their order; for an event so frequent that its source calls them
+-- itself.
 function hooks.listeners(event) return listeners[event] end
 
 function hooks.tell(event, ...)

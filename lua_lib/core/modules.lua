@@ -1,6 +1,7 @@
 -- require: the library by its names, else a module of the script's own, a file of Lua in its folder.
 
--- The ending .inch is for whoever begins the run: to a script that is called later, the units are those that hold.
+-- The ending .inch is for the script that begins the run. In a script that is called later, the active units
+-- apply.
 local LIBRARY = {
   ["gsim"] = "ab9", ["gsim.inch"] = "ab9", ["gsim.rs274ngc"] = "rs274ngc", ["gsim.rs274ngc.inch"] = "rs274ngc",
   ["gsim.klipper"] = "klipper",
@@ -8,9 +9,9 @@ local LIBRARY = {
 local TABLES = { math = true, string = true, table = true, rrs = true }   -- as in plain Lua: require "math"
 
 local loaded = {}     -- what each module has returned
-local LOADING = {}    -- in its place while it runs
+local LOADING = {}    -- value while it runs
 
--- Names of modules begin so where the library has them.
+-- Returns true if a name begins like the modules of the library.
 local function is_of_library(name) return name == "gsim" or name:sub(1, 5) == "gsim." end
 
 local function library(name)

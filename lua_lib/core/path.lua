@@ -1,5 +1,6 @@
--- The way of every move from the words to the machine. Between them stand filters, such as cutter compensation: each
--- hands on what it lets through to the next one, and may hold moves back until it knows those that follow.
+-- Path of every move from the words to the machine. Between them are filters, such as cutter compensation.
+-- Each passes the moves that it permits on to the next one, and may buffer moves until it knows those that
+-- follow.
 
 local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/shape"
 
@@ -18,9 +19,9 @@ function machine:flush() end
 
 local filters = {}   -- first to last
 local head = machine
-local before_feed_move, after_move   -- called before each programmed feed move and behind each move, or nil
+local before_feed_move, after_move   -- called before each programmed feed move and after each move, or nil
 local told_otherwise                 -- turns events into others, or nil
-local stop_rule                      -- of the word under way, where the control has one of its own for it
+local stop_rule                      -- of the present word, if the controller has a special one for it
 
 local path = {}
 
@@ -35,8 +36,8 @@ local function link()
   if head == machine then core.set_programmed(nil) end
 end
 
--- A filter holds rapid, line, arc, act and flush as the machine above has them. Moves come to the filter with the least
--- `rank` first (50 where it has none).
+-- A filter has rapid, line, arc, act and flush like the machine above. Moves reach the filter with the lowest
+-- `rank` first (50 if it has no rank).
 local MIDDLE_RANK = 50
 
 function path.add_filter(filter)
@@ -46,7 +47,7 @@ function path.add_filter(filter)
   link()
 end
 
--- What the filter still holds back goes out first.
+-- Pending moves of the filter are output first.
 function path.remove_filter(filter)
   filter:flush()
   for i = #filters, 1, -1 do
@@ -60,7 +61,7 @@ local function moved(target)
   if after_move then after_move() end
 end
 
--- The machine stands elsewhere than the program takes it to be, until the next move leads it on.
+-- The machine is at another position than the program assumes, until the next move corrects it.
 local elsewhere = {}
 local stands_elsewhere = false
 
@@ -79,7 +80,7 @@ function elsewhere:line(...)
   self.next:line(...)
 end
 
--- An arc begins where the program is, as far as its plane goes.
+-- An arc begins at the position of the program, at least in its plane.
 function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
   local start, view = axes.programmed_point(), plane_view.view(plane)
   local from, at = view:at(start), view:at(axes.machine_point())
@@ -91,7 +92,8 @@ end
 function elsewhere:act(f) self.next:act(f) end
 function elsewhere:flush() end
 
--- The program goes on from `point`, in machine coordinates of all axes, and the machine stays where it is.
+-- Continues the program from `point`, in machine coordinates of all axes, while the machine stays at its
+-- position.
 function path.go_on_from(point)
   stands_elsewhere = true
   path.add_filter(elsewhere)
@@ -115,7 +117,7 @@ function path.line(target, feed, kind)
   moved(target)
 end
 
--- A straight feed move that a signal ends, once all that is held back has gone out. See core.probe.
+-- Makes a straight feed move that a signal ends, after all pending moves have been output. See core.probe.
 function path.probe(target, away, signal)
   path.flush()
   if stands_elsewhere then lead_on() end
@@ -136,7 +138,7 @@ function path.arc(plane, ccw, first, second, sweep, target, feed)
   moved(target)
 end
 
--- Something that happens between the moves, in their order.
+-- Adds an action between the moves, in their order.
 function path.act(f) head:act(f) end
 
 function path.dwell(seconds)
@@ -155,7 +157,8 @@ for _, kind in ipairs { "message", "print", "debug", "log", "log_open", "log_app
   in_passing[kind] = true
 end
 
--- When an event is that its word does not say otherwise of. `changed`: false where it switches nothing.
+-- Returns the time of an event if its word does not set another one. `changed`: false if it switches no
+-- state.
 local function when_of(kind, changed)
   if stop_rule == "always" then return "at_rest" end
   if stop_rule == "never" then return "in_passing" end
@@ -163,7 +166,7 @@ local function when_of(kind, changed)
   return in_passing[kind] and "in_passing" or "at_rest"
 end
 
--- f(kind, detail) gives the kind and the detail that are told in place of an event's.
+-- Sets f(kind, detail), which returns the kind and the detail that are reported instead of an event's.
 function path.tell_otherwise(f) told_otherwise = f end
 
 -- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
@@ -178,7 +181,7 @@ function path.event(kind, detail, when, changed)
   end
 end
 
--- meaning(...), at which the control waits by a rule of its own.
+-- Calls meaning(...), for which the controller waits by a special rule.
 function path.by_rule(rule, meaning, ...)
   local outer = stop_rule
   stop_rule = rule
@@ -188,21 +191,21 @@ function path.by_rule(rule, meaning, ...)
   return result
 end
 
--- The control reads on when all moves so far have been made.
+-- The controller reads on after all moves so far have been made.
 function path.wait() head:act(core.wait) end
 
--- The same, unless the control waits at the word under way only where that changes something.
+-- Does the same, unless the controller waits at the present word only if that changes a state.
 function path.wait_for(changed)
   if changed or stop_rule ~= "on-change" then path.wait() end
 end
 
--- The same, if the control has a rule for `name`, which is part of a word's meaning, and by that waits.
+-- Does the same, if the controller has a rule for `name`, which is part of a word's meaning, and waits by it.
 function path.wait_at(name)
   if core.stops[name] == "always" then path.wait() end
 end
 
--- How the moves that follow pass their ends: "exact_stop", "exact_path" (without a stop where the path goes straight on)
--- or "continuous", within tolerances of the path and of merged lines (mm; 0: as the controller does).
+-- End behaviour of the moves that follow: "exact_stop", "exact_path" (without a stop if the path continues
+-- straight) or "continuous", within tolerances of the path and of merged lines (mm; 0: controller's default).
 local mode, tolerance, merging
 
 local function set_mode()
@@ -216,14 +219,14 @@ function path.set_mode(name, tolerance_mm, merge_tolerance_mm)
 end
 path.set_mode("continuous")
 
--- f() moves in another mode than that of the program.
+-- Calls f() to move in another mode than that of the program.
 function path.in_mode(name, f)
   head:act(function() core.set_path_mode(name, 0, 0) end)
   f()
   set_mode()
 end
 
--- Where the machine's controller brings each move to rest, a mode that would not is said to make no difference.
+-- Warns that a mode without stops has no effect if the machine's controller brings each move to a standstill.
 function path.warn_of_stops(name)
   if core.stops_at_each_move then
     core.warn(name .. ": the controller of this machine brings each move to rest; one that does not is faster "
@@ -231,20 +234,21 @@ function path.warn_of_stops(name)
   end
 end
 
--- All that filters hold back goes to the machine: it is where the program is, as far as they let it.
+-- Passes all pending moves of the filters to the machine: it is at the position of the program, as far as
+-- they permit it.
 function path.flush()
   for _, filter in ipairs(filters) do filter:flush() end
 end
 
 function path.is_filtered() return head ~= machine end
 
--- f(target) is called before each programmed feed move (constant surface speed); nil: no more.
+-- Sets f(target) to be called before each programmed feed move (constant surface speed); nil: not any more.
 function path.before_feed_moves(f)
   before_feed_move = f
   shape("a call before each feed move", f ~= nil)
 end
 
--- f() is called behind each programmed move (modal macro calls); nil: no more.
+-- Sets f() to be called after each programmed move (modal macro calls); nil: not any more.
 function path.each_move(f)
   after_move = f
   shape("a call behind each move", f ~= nil)

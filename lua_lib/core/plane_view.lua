@@ -1,5 +1,6 @@
--- Planes of the program as they lie in the machine. A main plane is its name, an oblique one, which a rotation makes of
--- it, a table { first = {x=, y=, z=}, second = {...} } of two unit vectors at right angles: as core.arc takes them.
+-- Planes of the program in machine coordinates. A main plane is its name. An oblique one, which a rotation
+-- makes of it, is a table { first = {x=, y=, z=}, second = {...} } of two unit vectors at right angles: the
+-- form of core.arc.
 
 local axes = use "core/axes"
 
@@ -17,7 +18,8 @@ local function cross(a, b)
   return { x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x }
 end
 
--- Where a plane of the program lies in the machine, and whether what is counterclockwise in the one is so in the other.
+-- Returns a plane of the program in machine coordinates, and true if counterclockwise is the same sense in
+-- both.
 local function machine_plane(name)
   if not core.has_matrix() then return name, true end
   local p = planes[name]
@@ -34,12 +36,12 @@ local function same_plane(a, b)
   return same_vector(a.first, b.first) and same_vector(a.second, b.second)
 end
 
--- --- Points as a plane sees them ---
+-- --- Points in the coordinates of a plane ---
 --
---   view:at(point)        along its two directions; of a vector of X, Y and Z likewise
+--   view:at(point)        along its two directions; for a vector of X, Y and Z likewise
 --   view:height(point)    along its normal
 --   view:put(point, at)   moves a point of the machine within the plane to there
---   view.letters          the axes that tell a place in the plane
+--   view.letters          the axes that define a position in the plane
 --
 -- Axes that the machine does not have count as 0.
 

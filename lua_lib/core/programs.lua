@@ -5,13 +5,14 @@ local word = use("core/words", "word")
 local calls, path = use "core/calls", use "core/path"
 
 local MOST = 2^31 - 1     -- of a program number, and of repeats
-local TO_START = "M99"   -- what a program returns where it ends in M99
+local TO_START = "M99"   -- return value of a program that ends in M99
 
 local programs = {}
 local first
-local last    -- the program that was defined last: its parts, and `following`, the one behind it in the file
+local last    -- the last defined program: its parts, and `following`, the next one in the file
 
--- program(number or nil, function): a program of this file; the first one of the file runs once the file is loaded.
+-- program(number or nil, function): defines a program of this file; the first one of the file runs once the
+-- file is loaded.
 function env.program(name, body)
   local own = { body }
   local function run()
@@ -24,22 +25,22 @@ function env.program(name, body)
       parts = parts.following
     until parts == nil
   end
-  -- RS274/NGC: an O-word that a program comes upon is only a mark; M99 behind it ends the run.
+  -- RS274/NGC: an O-word that a program reaches is only a mark; M99 after it ends the run.
   if last and core.dialect == "rs274ngc" then last.following = own end
   last = own
-  -- Of several with one number the first one behind the main program is called (RS274/NGC has such files).
+  -- If several have one number, the first one after the main program is called (RS274/NGC has such files).
   if name ~= nil and (programs[name] == nil or programs[name] == first) then programs[name] = run end
   first = first or run
 end
 
--- more(function): that program goes on, behind the definition of a subroutine.
+-- more(function): continues that program, after the definition of a subroutine.
 function env.more(body)
   if last == nil then alarm("script", "more() goes on with a program, and none has begun") end
   last[#last + 1] = body
 end
 
--- A main program that leads back to its start, or by its last block to one of its blocks, goes on for ever on the
--- machine. Here it makes as many passes as are asked for.
+-- A main program that leads back to its start, or by its last block to one of its blocks, repeats
+-- indefinitely on the machine. Here it makes the requested number of passes.
 local passes = 0
 
 local function pass_ended(block)
@@ -48,7 +49,7 @@ local function pass_ended(block)
   return passes >= core.passes
 end
 
--- Whether the jump back to that block, by which the main program ends, ends its last pass.
+-- Returns true if the jump back to that block, by which the main program ends, ends its last pass.
 function env.last_pass(block)
   core.note_place()
   return pass_ended(block)
@@ -64,7 +65,8 @@ local function run_first()
   path.flush()
 end
 
--- Loads a file beside this one, for a number or a name: whether there is one, and its first program or nil.
+-- Loads a file next to this one, for a number or a name. Returns true if it exists, and its first program or
+-- nil.
 local function load_file(name)
   local outer, outer_last = first, last
   first, last = nil, nil
@@ -75,7 +77,7 @@ local function load_file(name)
   return load ~= nil, body
 end
 
--- The program of a file beside this one: the one with that number, or the first of the file.
+-- Returns the program of a file next to this one: the one with that number, or the first of the file.
 local function load_beside(number)
   local found, body = load_file(number)
   body = programs[number] or body
@@ -83,7 +85,7 @@ local function load_beside(number)
   return programs[number]
 end
 
--- The body of the program with this number, in this file or beside it.
+-- Returns the body of the program with this number, in this file or in one next to it.
 local function find_program(number)
   return programs[number] or load_beside(number)
     or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
@@ -97,7 +99,8 @@ local function whole(value, name)
   return math.tointeger(value)
 end
 
--- run(name): the first program of a file beside the script, on this robot. Its end, M30 say, ends it alone.
+-- run(name): runs the first program of a file next to the script, on this robot. Its end, for example M30,
+-- ends only that program.
 function env.run(name)
   if type(name) ~= "string" then
     alarm("script", "run takes the name of a part program beside the script: run(\"part.nc\")")
@@ -111,7 +114,8 @@ function env.run(name)
   calls.leave(frame)
 end
 
--- O1000, as the report names it: programs are called by the hundred thousand, and a name is made once.
+-- O1000, in the form of the report: a name is made once, because programs are called hundreds of thousands of
+-- times.
 local names = {}
 
 local function name_of(number)
@@ -120,8 +124,8 @@ local function name_of(number)
   return name
 end
 
--- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on
--- (M99 P), or nil.
+-- Calls a program by its number: `times` passes. Returns the number of the block at which the caller
+-- continues (M99 P), or nil.
 local function call_program(number, times)
   local body = find_program(number)
   local frame = calls.enter(name_of(number))
@@ -138,7 +142,7 @@ local function call_program(number, times)
   return block
 end
 
--- M98{p=2, l=3}; the translator adds `true` where the caller can go on at any of its blocks.
+-- M98{p=2, l=3}; the translator adds `true` if the caller can continue at any of its blocks.
 word("M98", function(words, can_jump)
   if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program that it calls") end
   local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))

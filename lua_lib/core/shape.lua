@@ -1,11 +1,11 @@
--- Plain motions are C++ as long as nothing shapes them: polar programming, a filter of the path, a modal macro call.
+-- Plain motions are C++ as long as no polar programming, filter of the path or modal macro call changes them.
 
 local hooks = use "core/hooks"
 
 local reasons = {}
 local shaped = false
 
--- Something stands between the words of motions and the machine for that reason, or does no longer.
+-- Sets or clears `reason` as something that modifies motion words before they reach the machine.
 return function(reason, on)
   reasons[reason] = on or nil
   if (next(reasons) ~= nil) == shaped then return end

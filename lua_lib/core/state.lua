@@ -1,4 +1,4 @@
--- The modal state of the control.
+-- The modal state of the controller.
 
 return {
   frame = "54",         -- 9/Series: work coordinate system in force
@@ -7,7 +7,8 @@ return {
   feed = 0,             -- RS274/NGC: as F was programmed
   spindle_word = 0,     -- RS274/NGC: as S was programmed
   path_mode = 64,       -- 9/Series: G61 to G64
-  return_level = core.dialect == "rs274ngc" and "r" or "initial",   -- where a cycle leaves the tool: G98 or G99
+  -- position of the tool after a cycle: G98 or G99
+  return_level = core.dialect == "rs274ngc" and "r" or "initial",
   tool_offset = {},     -- by axis letter, mm
   depth = 0,            -- of subprograms
 }

@@ -1,7 +1,7 @@
--- What the control holds in its tables as they are now, for gsim-run --save-machine-data: in the form of core.offsets,
--- core.tools and core.variables.
+-- The current contents of the controller's tables, for gsim-run --save-machine-data: in the form of
+-- core.offsets, core.tools and core.variables.
 
--- Klipper has none of these tables, and leaves them as they are.
+-- Klipper has none of these tables and leaves them unchanged.
 if core.dialect == "klipper" then
   return {
     stored_data = function() return { offsets = core.offsets, tools = core.tools, variables = core.variables } end,

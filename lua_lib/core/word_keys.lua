@@ -1,12 +1,12 @@
--- The words of a word: a table whose keys are those that programs can write (column `keys` of the dialect's table). A key
--- that the word does not take is a mistake, which would else be passed over. (Plain G0 to G3 look at theirs in C++; the
--- arguments of macros are looked at where they are given to variables.)
+-- The argument words of a word: a table whose keys are those that programs can write (column `keys` of the
+-- dialect's table). A key that the word does not accept is an error, which would otherwise be ignored. (Plain
+-- G0 to G3 check theirs in C++; the arguments of macros are checked when they are assigned to variables.)
 
 local alarm, check_table, printed = use("core/basics", "alarm", "check_table", "printed")
 
 local AXES = "a b c u v w x y z radius angle"
 
--- These say by themselves what they need in place of a table.
+-- These words report by themselves which arguments they need instead of a table.
 local LOOKS_BY_ITSELF = { G4 = true, G48_1 = true, G48_2 = true, G48_3 = true, G52 = true, G92 = true }
 
 local function parted(text)
@@ -19,7 +19,7 @@ local function parted(text)
   return words
 end
 
--- In a table both ways: keys in their order, and true by key.
+-- Returns a table with the keys in their order, and true by key.
 local function known_keys(keys)
   if keys:sub(1, 4) == "axes" then keys = AXES .. keys:sub(5) end
   local known = parted(keys)
@@ -27,7 +27,7 @@ local function known_keys(keys)
   return known
 end
 
--- Of several keys that it does not take the first one by its name is told.
+-- Reports only the first by name of several unknown keys.
 local function refuse(name, words, known)
   for key, value in pairs(words) do
     if type(key) == "string" and not known[key] then
@@ -37,7 +37,7 @@ local function refuse(name, words, known)
   end
 end
 
--- The meaning of a word, behind a look at its words.
+-- Returns the meaning of a word, called after a check of its argument words.
 return function(name, meaning)
   local keys = core.codes.keys[name]
   if keys == nil then return meaning end

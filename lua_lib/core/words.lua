@@ -1,11 +1,12 @@
--- The registry of what scripts see: each word is said once, by one file; other files hook what goes before or after it.
+-- The registry of the names that scripts see. One file defines each word; other files hook calls before or
+-- after it.
 --   word(name, meaning)                   a word of the language
 --   env.name = value                      while the library loads: any other name for scripts
 --   words.before(names, hook, f)          f(name, ...) before the word, with its values
---   words.after(names, hook, f)           f(name, ...) behind it
---   words.around(names, hook, f)          f(meaning, name, ...) in its place, where it calls meaning(...)
--- A name or a list of names; the names of hooks and their order are in core/hooks.lua. Names of user M codes ("M101") can be
--- hooked, too, and names that the dialect does not have.
+--   words.after(names, hook, f)           f(name, ...) after it
+--   words.around(names, hook, f)          f(meaning, name, ...) instead of it, and can call meaning(...)
+-- `names` is a name or a list of names; the names of hooks and their order are in core/hooks.lua. Names of
+-- user M codes ("M101") and names that the dialect does not have can be hooked, too.
 
 local alarm, copied, printed = use("core/basics", "alarm", "copied", "printed")
 local compensation, hooks, path, word_keys = use "common/compensation", use "core/hooks", use "core/path", use "core/word_keys"
@@ -32,7 +33,7 @@ function words.id()
   return next_id - 1
 end
 
--- The meaning of a word at which the control waits by a rule of its own (core.stops, docs/stops.md).
+-- Returns the meaning of a word at which the controller waits by a special rule (core.stops, docs/stops.md).
 local function by_stop_rule(name, meaning)
   local rule = core.stops[printed(name)]
   return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
@@ -40,7 +41,8 @@ end
 
 local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_beside_path }
 
--- The meaning of a code behind a look whether cutter compensation allows it (column `compensation`).
+-- Returns the meaning of a code, called after a check that cutter compensation allows it (column
+-- `compensation`).
 function words.if_allowed(name, meaning)
   local refuse, shown = refusals[core.codes.compensation[name]], printed(name)
   if refuse == nil then return meaning end
@@ -50,13 +52,13 @@ function words.if_allowed(name, meaning)
   end
 end
 
--- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
+-- Defines a word of the language. A call belongs to the block at the line from which the script calls it.
 function words.word(name, meaning)
   local looked_at = by_stop_rule(name, words.if_allowed(name, meaning))
   env[name] = core.word(words.id(), word_keys(name, looked_at))
 end
 
--- Whether the control itself has that name.
+-- Returns true if the controller itself has that name.
 function words.is_known(name) return owner[name] ~= nil end
 
 local kinds = {}
@@ -91,7 +93,7 @@ end
 
 function words.is_hooked(name) return hooked[name] ~= nil end
 
--- The meaning of a word with all that goes before and after it.
+-- Returns the meaning of a word with all hooks before and after it.
 function words.with_hooks(name, meaning)
   for _, hook in ipairs(hooked[name] or {}) do meaning = kinds[hook.kind](name, meaning, hook.call) end
   return meaning
@@ -103,13 +105,13 @@ local function same_but_case(name)
   end
 end
 
--- A name that nothing defines is a mistake, not a vacant value.
+-- An undefined name is an error, not an empty value.
 local function unknown(_, name)
   local near = type(name) == "string" and same_but_case(name)
   error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
 end
 
--- Codes that the dialect refuses are refused in scripts by hand, too.
+-- Rejects the codes that the dialect does not support in handwritten scripts, too.
 local function refuse_others()
   for name, meaning in unordered(core.codes.unsupported) do
     if not owner[name] then
@@ -118,7 +120,7 @@ local function refuse_others()
   end
 end
 
--- All files have said their words: scripts may see them.
+-- Makes the words visible to scripts after all files have defined theirs.
 function words.finish()
   refuse_others()
   setmetatable(env, { __index = unknown })

@@ -1,11 +1,12 @@
--- G2 and G3 of Klipper: as many chords of one length as make arc_resolution_mm each at least, every one a G1.
+-- G2 and G3 of Klipper: as many chords of equal length as possible with at least arc_resolution_mm each.
+-- Every chord is a G1.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
 local moves, state = use "klipper/moves", use "klipper/state"
 
--- Planes by their axes: counterclockwise is from the first to the second, so that XZ turns the other way round than the
--- ZX plane of RS274.
+-- Planes by their axes. Counterclockwise is from the first to the second axis, so XZ has the opposite sense
+-- of the ZX plane of RS274.
 local PLANES = {
   xy = { "x", "y", "z", centre = { "i", "j" } },
   xz = { "x", "z", "y", centre = { "i", "k" } },
@@ -24,7 +25,7 @@ local function refuse(words, name)
   if words.r then alarm("arc", "%s: Klipper makes no arcs by R", name) end
 end
 
--- The program's position and the arc's target, by letter.
+-- Returns the program's position and the arc's target, by letter.
 local function ends_of(words)
   local from, to = {}, {}
   for _, letter in ipairs { "x", "y", "z" } do
@@ -34,7 +35,8 @@ local function ends_of(words)
   return from, to
 end
 
--- The angle from the start to the end about the centre, which is (first, second) off the start.
+-- Returns the angle from the start to the end about the centre, which is at the offset (first, second) from
+-- the start.
 local function sweep_of(from, to, first, second, clockwise)
   local a, b = plane[1], plane[2]
   local centre_a, centre_b = from[a] + first, from[b] + second
@@ -46,7 +48,7 @@ local function sweep_of(from, to, first, second, clockwise)
   return sweep
 end
 
--- E along the arc, in equal steps: the words of the chords.
+-- Returns a function for E along the arc, in equal steps: the E words of the chords.
 local function e_of_chord(words, count)
   if words.e == nil then return function() end end
   if state.incremental_e then return function() return words.e / count end end

@@ -1,4 +1,4 @@
--- Limits of the moves that follow: M204, SET_VELOCITY_LIMIT.
+-- Limits of the following moves: M204, SET_VELOCITY_LIMIT.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -8,7 +8,7 @@ local function positive(value, name)
   return value
 end
 
--- S, or the less of P and T.
+-- S, or the smaller of P and T.
 word("M204", function(words)
   words = words or {}
   local both = words.p and words.t and math.min(words.p, words.t)

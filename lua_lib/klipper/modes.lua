@@ -1,11 +1,11 @@
--- Modes of Klipper, offsets, its speed factor, and what it waits at.
+-- Modes of Klipper, its offsets and speed factor, and the commands at which it waits.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
 local moves, path, state = use "klipper/moves", use "core/path", use "klipper/state"
 
 local LETTERS = { "x", "y", "z", "e" }
-local STALL_S = 0.1   -- in front of what switches the motors off, and behind it
+local STALL_S = 0.1   -- before and after a command that switches the motors off
 
 word("G90", function() state.incremental = false end)
 word("G91", function() state.incremental = true end)
@@ -30,7 +30,7 @@ end
 
 word("M400", function() path.wait() end)
 
--- The position gets these values; without words all of them are 0.
+-- Sets the position to these values; without words to 0 for all.
 word("G92", function(words)
   local all = words == nil or next(words) == nil
   for _, letter in ipairs(LETTERS) do
@@ -49,7 +49,7 @@ end
 
 word("M220", function(words) state.speed_factor = percent(words, "M220") end)
 
--- E counts on from the value that it shows.
+-- E continues from the value that it shows.
 word("M221", function(words)
   local position, factor = state.position "e", percent(words, "M221")
   state.base.e = position - (position - state.origin "e") / state.e_factor * factor
@@ -68,7 +68,7 @@ local function save(name)
   state.saved[name] = kept
 end
 
--- What E has moved meanwhile its 0 moves, too.
+-- Shifts E's zero point by the distance moved since the save.
 local function restore(name)
   local kept = state.saved[name]
   if kept == nil then alarm("mode", "RESTORE_GCODE_STATE: there is no state '%s'", name) end
@@ -81,7 +81,7 @@ local function restore(name)
   return kept
 end
 
--- At `mm_s`, or else the speed in force, which stays.
+-- Moves at `mm_s`, or else at the active speed, which does not change.
 local function go_to(target, mm_s)
   local feed = state.feed
   if mm_s then state.feed = mm_s * 60 / state.speed_factor end

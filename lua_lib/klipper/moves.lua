@@ -1,4 +1,4 @@
--- G0 and G1 of Klipper, which are one.
+-- G0 and G1 of Klipper, which are identical.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
@@ -8,7 +8,7 @@ local LETTERS = { "x", "y", "z" }
 
 local moves = {}
 
--- The target of words in program coordinates.
+-- Returns the target of words in program coordinates.
 local function target_of(words)
   local target = {}
   for _, letter in ipairs(LETTERS) do
@@ -24,7 +24,7 @@ local function target_of(words)
   return target
 end
 
--- Klipper knows no place of axes whose motors were off.
+-- Klipper does not know the position of axes whose motors were off.
 local function check_motors(target)
   for _, letter in ipairs(LETTERS) do
     if target[letter] and target[letter] ~= state.position(letter) then
@@ -33,7 +33,7 @@ local function check_motors(target)
   end
 end
 
--- A straight move to machine coordinates, at the speed in force.
+-- Moves straight to machine coordinates, at the active speed.
 function moves.to(target)
   state.check_extruder(target)
   if state.motors_off then check_motors(target) end

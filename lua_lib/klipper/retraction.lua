@@ -1,4 +1,4 @@
--- Firmware retraction: G10 draws the filament back, G11 pushes it again.
+-- Firmware retraction: G10 retracts the filament, G11 extrudes it again.
 
 local word = use("core/words", "word")
 local modes, moves, state = use "klipper/modes", use "klipper/moves", use "klipper/state"
@@ -9,7 +9,7 @@ local settings = core.retraction   -- length_mm, speed_mm_s, extra_mm, unretract
 local is_configured = settings.length_mm > 0
 local is_retracted = false
 
--- E alone goes a step, and what the program knows of its place stays.
+-- Moves E alone by a step. The E position that the program knows does not change.
 local function step(length_mm, speed_mm_s)
   modes.save(OWN_STATE)
   state.incremental = true

@@ -1,4 +1,4 @@
--- What Klipper keeps between its commands: modes, where its coordinates begin, and its speed.
+-- State that Klipper keeps between its commands: modes, the zero point of its coordinates, and its speed.
 
 local alarm = use("core/basics", "alarm")
 
@@ -10,7 +10,7 @@ for _, axis in ipairs(core.axes()) do has[axis.letter] = true end
 local state = {
   incremental = false,     -- G91
   incremental_e = false,   -- M83
-  base = {},               -- by letter: where the program's 0 is, in machine coordinates (G92)
+  base = {},               -- by letter: the program's zero point, in machine coordinates (G92)
   offset = {},             -- SET_GCODE_OFFSET, of which base has its part
   feed = FIRST_MM_MIN,     -- as F was given
   speed_factor = 1,        -- M220
@@ -19,13 +19,13 @@ local state = {
   motors_off = false,      -- M18, M84
 }
 
--- Where the last move ends, in machine coordinates.
+-- Returns the end of the last move, in machine coordinates.
 function state.position(letter)
   if has[letter] then return core.position(letter) end
   return 0
 end
 
--- Takes E out of a target where the machine has no extruder, which can stand and cannot move.
+-- Removes E from a target if the machine has no extruder. E may be in the target, but cannot move.
 function state.check_extruder(target)
   if target.e == nil or has.e then return end
   if target.e ~= 0 then alarm("axis", "E moves, and this machine has no extruder: no axis E") end
@@ -34,7 +34,7 @@ end
 
 function state.origin(letter) return state.base[letter] or 0 end
 
--- The speed in force, as the core takes it.
+-- The active speed, in the form that the core uses.
 local told, feed_told
 
 function state.core_feed()

@@ -1,21 +1,22 @@
--- Cutter compensation as LinuxCNC does it (G40 to G42.1 of rs274ngc): a straight or circular entry move that ends
--- beside its programmed end; outside corners by an arc about the corner; inside corners by cutting back the move
--- before. For that one move in the plane waits in a queue, with what came after it, until the next one is known.
+-- Cutter compensation as in LinuxCNC (G40 to G42.1 of rs274ngc). A straight or circular entry move ends
+-- offset from its programmed end. The path rounds outside corners with an arc about the corner. At inside
+-- corners it shortens the move before. For that, one move in the plane and what follows it wait in a queue
+-- until the next move is known.
 
 local alarm = use("core/basics", "alarm")
 local axes, comp_filter, g, plane_view = use "core/axes", use "common/comp_filter", use "common/comp_geometry", use "core/plane_view"
 
-local SMALL_CORNER_RAD = 0.05     -- up to here a corner counts as none
+local SMALL_CORNER_RAD = 0.05     -- up to here it is not treated as a corner
 local MOST_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
 local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
--- An arc that comes out longer than programmed by more than that has been cut back past its other end.
+-- An arc that becomes longer than programmed by more than that has been shortened past its other end.
 local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
 
 local TURN = 2 * math.pi
 
 local ngc = comp_filter.derive()
 
--- Where the zero point of a lathe tool lies, by its orientation: shares of the radius on the plane's two axes.
+-- The zero point of a lathe tool by its orientation: shares of the radius on the plane's two axes.
 local orientation_shift = {
   { 1, -1 }, { -1, -1 }, { -1, 1 }, { 1, 1 }, { 1, 0 }, { 0, -1 }, { -1, 0 }, { 0, 1 },
 }
@@ -25,7 +26,7 @@ local function make(side, radius, orientation)
     side = side, radius = radius, plane = core.plane(),
     queue = {},              -- the move in the plane that waits, and what came after it
     last = nil,              -- the last move in the plane
-    start = nil,             -- where the waiting move starts, if that has to be watched
+    start = nil,             -- start of the waiting move, if it has to be monitored
   })
   local shift = orientation_shift[orientation]
   if shift then
@@ -35,7 +36,7 @@ local function make(side, radius, orientation)
       (shift[1] * first[1] + shift[2] * second[1]) * radius, (shift[1] * first[2] + shift[2] * second[2]) * radius,
     }
   end
-  filter.tool = filter:point(filter.programmed)   -- where the middle of the tool ends after all that is known
+  filter.tool = filter:point(filter.programmed)   -- position of the tool centre after everything known so far
   return filter
 end
 
@@ -70,7 +71,7 @@ function ngc:put(item)
   elseif not segment then
     self:put_straight(item, item.point or self.at)
   elseif segment.centre then
-    -- After a corner that counted as none, or a stop in an inside corner, the tool may stand off the arc.
+    -- After a corner below the limit, or a stop in an inside corner, the tool may be off the arc.
     if math.abs(g.distance(self.at, item.centre) - g.distance(item.point, item.centre)) > MOST_SPIRAL_MM then
       self:put_straight(item, g.beside_start(segment, self.side, self.radius), item.source)
     end
@@ -87,7 +88,7 @@ function ngc:empty_queue()
   self.start = nil
 end
 
--- Ends the waiting move at that point, and puts out the queue.
+-- Ends the waiting move at that point and outputs the queue.
 function ngc:end_at(point)
   if #self.queue == 0 then return end
   for _, item in ipairs(self.queue) do
@@ -109,8 +110,8 @@ function ngc:enter_straight(item)
   self.start = self.tool
 end
 
--- The entry arc leads from where the tool stands to beside the programmed end; its tangent there stays, so the
--- centre lies as far from the one as from the other on the line through the programmed centre.
+-- The entry arc runs from the tool's position to the offset programmed end. Its tangent there does not
+-- change, so the centre is at the same distance from both, on the line through the programmed centre.
 function ngc:enter_circular(item)
   local segment = item.segment
   if g.distance(self.at, self.tool) > MOST_SPIRAL_MM then
@@ -135,7 +136,7 @@ function ngc:enter_circular(item)
   item.segment.radius = g.distance(item.centre, item.point) + segment.turn * self.side * self.radius
   local turns = math.ceil(segment.sweep / TURN - 1e-9) - 1
   item.segment.sweep = g.swept(self.tool, item.point, item.centre, segment.turn) + turns * TURN
-  -- The zero point of a lathe tool steps aside first, else the arc is none.
+  -- The zero point of a lathe tool first moves to the offset position, otherwise the arc is invalid.
   if self.origin ~= comp_filter.origin then
     self:put_straight({ kind = "line", feed = item.feed, place = item.place }, self.tool, item.source)
   end
@@ -143,14 +144,14 @@ end
 
 -- --- Corners ---
 
--- How far the path turns away from the side of the tool: -90 to 270 degrees.
+-- Returns the angle by which the path turns away from the side of the tool: -90 to 270 degrees.
 local function outward(from, to, side)
   local angle = -side * g.angle(from, to)
   return angle < -math.pi / 2 and angle + 2 * math.pi or angle
 end
 
--- At a corner of half a turn the tool may go around its tip, or stay out of it where an arc leads in or out that the
--- tool runs on the outside of.
+-- At a corner of half a turn the tool may move around its tip. It stays out if an arc leads in or out and the
+-- tool runs on the outside of that arc.
 local function is_inside(beta, before, after, side)
   if beta < -SMALL_CORNER_RAD or beta > math.pi + SMALL_CORNER_RAD then return true end
   if beta <= math.pi - SMALL_CORNER_RAD then return false end
@@ -158,8 +159,8 @@ local function is_inside(beta, before, after, side)
   return before ~= nil and before.centre ~= nil and not g.tool_inside(before, side)
 end
 
--- The move before as LinuxCNC sees it. Where a move outside the plane alone waits, behind a stop, an arc counts as the
--- line in which it ended.
+-- Returns the move before, as LinuxCNC sees it. If only a move outside the plane waits after a stop, an arc
+-- counts as the line in which it ended.
 function ngc:segment_before()
   local segment, waiting = self.last.segment, self.queue[1]
   if waiting == nil or waiting.segment then return segment end
@@ -174,7 +175,8 @@ function ngc:inside_corner(item)
   self:end_at(point)
 end
 
--- The move around an outside corner has the new move's feed and takes the axes outside the plane's space along.
+-- The move around an outside corner has the new move's feed and moves the axes outside the plane's space,
+-- too.
 function ngc:around_corner(item)
   local beside = g.beside_start(item.segment, self.side, self.radius)
   local target = self:complete(item.target)
@@ -190,7 +192,7 @@ end
 
 function ngc:corner(item)
   local before = self.last.segment
-  local waiting = self.queue[1] and self.queue[1].segment   -- none after a stop
+  local waiting = self.queue[1] and self.queue[1].segment   -- nil after a stop
   local beta = outward(before.heading[2], item.segment.heading[1], self.side)
   if is_inside(beta, waiting, item.segment, self.side) then
     self:inside_corner(item)

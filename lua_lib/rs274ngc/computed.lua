@@ -1,5 +1,6 @@
--- RS274/NGC: codes whose number is computed, as in G[#<_plane> / 10]: code("G", 17.0). They take no words and act before
--- the motion of their block; the axis words of the block go on with the motion that is modal then.
+-- RS274/NGC: codes whose number is computed, as in G[#<_plane> / 10]: code("G", 17.0). They have no words and
+-- take effect before the motion of their block. The axis words of the block then belong to the active modal
+-- motion.
 
 local alarm = use("core/basics", "alarm")
 
@@ -11,12 +12,12 @@ local codes = {
   M = " 3 4 5 7 8 9 48 49 70 71 72 73 ",
 }
 
--- A code that another file has may have a computed number, too.
+-- Allows a computed number for a code that another file defines.
 local function allow(letter, number) codes[letter] = codes[letter] .. number .. " " end
 
 local FIRST_USER_CODE, LAST_USER_CODE = 100, 199
 
--- 59.1 as "59_1", or nil.
+-- Returns 59.1 as "59_1", or nil.
 local function suffix(number)
   local tenths = math.tointeger(math.floor(number * 10 + 0.5))
   if tenths == nil or tenths < 0 or math.abs(number - tenths / 10) > TOLERANCE then return nil end

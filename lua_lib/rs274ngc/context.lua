@@ -1,4 +1,4 @@
--- RS274/NGC: M70 to M73 keep the modal state and bring it back.
+-- RS274/NGC: M70 to M73 save and restore the modal state.
 
 local alarm, copied = use("core/basics", "alarm", "copied")
 local hooks, state, switches, systems, words =
@@ -6,7 +6,7 @@ local hooks, state, switches, systems, words =
 
 local word = words.word
 
--- By modal group of the dialect's table: the code in force, at first those of a run's beginning.
+-- The active code by modal group of the dialect's table, with the defaults at the start of a run.
 local active = {
   units = core.unit_mm() == 1 and "G21" or "G20", plane = "G17", ["distance mode"] = "G90", ["arc centre mode"] = "G91_1",
   ["feed mode"] = "G94", ["cutter compensation"] = "G40", ["tool length"] = "G49", ["return level of cycles"] = "G99",
@@ -33,7 +33,7 @@ local function keep(automatic)
   }
 end
 
--- Calls the group's code again where another one is in force now.
+-- Calls the saved code of the group again if another one is active now.
 local function bring_back(saved, group)
   local name = saved.active[group]
   if active[group] ~= name then env[name](saved.words_of[group]) end
@@ -46,8 +46,8 @@ local function restore_coolant(saved)
   if saved.flood then env.M8() end
 end
 
--- LinuxCNC brings F and S back by writing them out, F to a tenth and S as a whole number, where their numbers have
--- changed; whatever the units, and before the codes that it writes drop F.
+-- LinuxCNC restores F and S by writing them out if their numbers have changed: F to a tenth and S as an
+-- integer. It ignores units, and writes them before the codes that drop F.
 local function written_values(saved)
   return {
     F = state.feed ~= saved.feed and tonumber(("%.1f"):format(saved.feed)) or nil,
@@ -60,7 +60,7 @@ local function restore_spindle(saved)
   if saved.spindle == "cw" then env.M3() elseif saved.spindle == "ccw" then env.M4() else env.M5() end
 end
 
--- A tool's length comes back as the one of the tool that is loaded, as in LinuxCNC.
+-- Restores the tool length as the length of the loaded tool, as in LinuxCNC.
 local function restore_length(saved)
   if saved.active["tool length"] == active["tool length"] then return end
   local name = saved.active["tool length"]
@@ -72,7 +72,7 @@ local groups = {
   "spindle speed mode", "feed mode",
 }
 
--- M70 keeps a further group, whose code is this one when a run begins.
+-- Adds a group that M70 saves; `code` is active in it when a run begins.
 local function keep_group(group, code)
   active[group] = code
   groups[#groups + 1] = group
@@ -102,7 +102,7 @@ word("M72", function()
   restore(saved_modes)
 end)
 
--- At the end of a subroutine that M73 has marked the state comes back by itself.
+-- The state returns automatically at the end of a subroutine that M73 has marked.
 hooks.on("call", "modal state", function(frame)
   frame.saved, saved_modes = saved_modes, nil
 end)

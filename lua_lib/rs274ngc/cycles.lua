@@ -1,6 +1,6 @@
--- Canned cycles of RS274/NGC, as LinuxCNC 2.9 executes them. R, Z, Q, P, I, J, K and the initial level are kept as
--- they were written, in program units: after a change of units or offsets they mean what the new ones make of them,
--- as there.
+-- Canned cycles of RS274/NGC, as LinuxCNC 2.9 executes them. R, Z, Q, P, I, J, K and the initial level are
+-- kept as they were written, in program units. After a change of units or offsets they are interpreted with
+-- the new ones, as in LinuxCNC.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
@@ -10,10 +10,11 @@ local path, plane_view, spindle, state = use "core/path", use "core/plane_view",
 
 local held = {}   -- words of the cycle that is modal, and `initial`, the level at which the series of cycles began
 
--- Nearest short decimal: the value as it stands in a program, without what unit conversion added.
+-- Returns the nearest short decimal: the value as written in a program, without rounding errors of unit
+-- conversion.
 local function snapped(value) return math.floor(value * 1e9 + 0.5) / 1e9 end
 
--- Of levels: higher by more than rounding.
+-- Returns true if level `a` is higher than `b` by more than rounding.
 local function above(a, b) return a - b > 1e-9 end
 
 local function required(words, letter, name, again)
@@ -31,7 +32,7 @@ local function needs_spindle(name)
   return state.spindle
 end
 
--- Each cycle begins at the hole, at the R level.
+-- Each cycle begins above the hole, at the R level.
 local strokes = {}
 
 function strokes.G81(hole)
@@ -64,8 +65,8 @@ end
 function strokes.G73(hole) peck(hole, "G73", false) end
 function strokes.G83(hole) peck(hole, "G83", true) end
 
--- In ZX and YZ LinuxCNC 2.9 gives the strokes of G74 and G84 to the wrong axes; its canonical output is followed,
--- with a warning.
+-- In ZX and YZ, LinuxCNC 2.9 assigns the strokes of G74 and G84 to the wrong axes. gsim follows its canonical
+-- output, with a warning.
 local function misplaced(hole, level)
   if core.plane() == "zx" then return hole.second, level, hole.first end
   return level, hole.first, hole.second
@@ -110,7 +111,7 @@ function strokes.G86(hole)
   spindle.turn(direction)
 end
 
--- Back boring: through the hole beside its axis, then up from below.
+-- Back boring: through the hole offset from its axis, then up from below.
 function strokes.G87(hole)
   local direction = needs_spindle("G87")
   local first, second = hole.first + hole.shift_first, hole.second + hole.shift_second
@@ -128,7 +129,7 @@ function strokes.G87(hole)
   spindle.turn(direction)
 end
 
--- The operator brings the tool out; the program goes on as if from the clearance level.
+-- The operator retracts the tool; the program continues as if from the clearance level.
 function strokes.G88(hole)
   local direction = needs_spindle("G88")
   hole.feed(hole.bottom)
@@ -144,7 +145,7 @@ function strokes.G89(hole)
   hole.feed(hole.clear)
 end
 
--- Words that a cycle needs besides R and that of its depth, when it is not the one before it.
+-- Words that a cycle needs in addition to R and the depth word, if it differs from the cycle before.
 local needs_dwell = { G82 = true, G86 = true, G88 = true, G89 = true }
 local needs_peck = { G73 = true, G83 = true }
 
@@ -183,14 +184,14 @@ local function check_axes(words, name, p)
   ngc_modes.check_spindle(words, name)
 end
 
--- An axis word of a cycle, in program units, or nil where it is left out.
+-- Returns an axis word of a cycle, in program units, or nil if it is missing.
 local function axis_word(words, letter, name)
   local value = cycles.word(words, letter, name)
   return value and axes.word_in_units(letter, value)
 end
 
 
--- Steps from hole to hole in incremental dimensions.
+-- Returns a function that steps from hole to hole in incremental dimensions.
 local function stepper(words, name, p)
   local first, second = axis_word(words, p.first, name) or 0, axis_word(words, p.second, name) or 0
   local radius, angle = cycles.word(words, "radius", name) or 0, cycles.word(words, "angle", name) or 0
@@ -218,7 +219,7 @@ local function absolute_place(hole, words, name, p)
   hole.second = axis_word(words, p.second, name) or hole.second
 end
 
--- Strokes in program units, from a tool that moves in mm.
+-- Adds strokes in program units, using a tool that moves in mm.
 local function add_strokes(hole, tool)
   local unit = core.unit_mm()
   function hole.rapid_to(first, second, third) tool.rapid_to(first * unit, second * unit, third * unit) end
@@ -244,7 +245,7 @@ local function levels(hole, words, name, p, again, current)
     alarm("word-value", "%s: R %.10g lies below the bottom of the hole, %s%.10g", name, hole.r, p.third:upper(),
       hole.bottom)
   end
-  -- Below the R level the tool first goes straight up to it.
+  -- The tool first moves straight up to the R level if it is below it.
   if above(hole.r, old) then
     hole.rapid(hole.r)
     old, current = hole.r, hole.r
@@ -253,12 +254,12 @@ local function levels(hole, words, name, p, again, current)
   return current
 end
 
--- After G88, and G84 outside of XY, the tool is elsewhere than the program takes it to be.
+-- After G88, and after G84 outside of XY, the tool is not at the position that the program assumes.
 local function leaves_tool(name)
   return name == "G88" or core.plane() ~= "xy" and (name == "G74" or name == "G84")
 end
 
--- Cycles that a control may read without making them.
+-- Cycles that a controller may read without executing them.
 local bores = { G85 = true, G86 = true, G89 = true }
 
 local NOWHERE = 0 / 0
@@ -286,11 +287,12 @@ local function drill(name, words, before)
   read_words(hole, words, name, p, again)
   local step = core.is_incremental() and stepper(words, name, p)
   if not step then absolute_place(hole, words, name, p) end
-  -- The moves of a cycle keep to the path, whatever the path mode.
+  -- The moves of a cycle follow the exact path in every path mode.
   path.in_mode("exact_path", function()
     for pass = 1, repeats do
       if step then step(hole) end
-      -- The way to the first hole is at the level of the tool, that between repeats at the clearance level.
+      -- The move to the first hole is at the level of the tool, moves between repeats are at the clearance
+      -- level.
       local level = pass == 1 and above(current, hole.r) and current or hole.clear
       hole.rapid_to(hole.first, hole.second, level)
       hole.rapid(hole.r)

@@ -1,8 +1,9 @@
--- RS274/NGC: work coordinate systems 1 to 9 (G54 to G59.3), G52 and G92, and the rotation of a system about Z.
+-- RS274/NGC: work coordinate systems 1 to 9 (G54 to G59.3), G52 and G92, and the rotation of a system about
+-- Z.
 -- machine = rotation * (program + G92) + origin of the system + tool offset
 --
--- The parameters #5221.. hold the systems in inches and degrees, #5211.. the G92 offset. As in LinuxCNC, what is
--- written into them takes effect when a word loads them.
+-- The parameters #5221.. hold the systems in inches and degrees, #5211.. the G92 offset. As in LinuxCNC,
+-- values written into them take effect when a word loads them.
 
 local alarm, copied = use("core/basics", "alarm", "copied")
 local word = use("core/words", "word")
@@ -18,7 +19,7 @@ local names = { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" }
 
 function systems.name(number) return names[number] end
 
--- The word of a system: 59.1 is G59_1.
+-- The word of each system: 59.1 is G59_1.
 systems.words = { "G54", "G55", "G56", "G57", "G58", "G59", "G59_1", "G59_2", "G59_3" }
 
 systems.in_force = 1     -- its number
@@ -27,7 +28,7 @@ local rotation_deg = 0  -- of the system in force
 
 local function base(system) return FIRST_SYSTEM + (system - 1) * PER_SYSTEM end
 
--- Origin (by letter, mm and deg) and rotation of a system as its parameters have them.
+-- Returns the origin (by letter, mm and deg) and rotation of a system from its parameters.
 function systems.data(system)
   local at = {}
   for i, letter in ipairs(parameters.letters) do
@@ -42,14 +43,14 @@ function systems.store_origin(system, letter, value)
   end
 end
 
--- Whether a parameter is an origin, or the number of the system in force, with which no run begins.
+-- Returns true if a parameter is an origin, or the number of the active system, with which no run begins.
 function systems.is_origin(number)
   if number == NUMBER_OF_SYSTEM then return true end
   local place = number - FIRST_SYSTEM
   return place >= 0 and place < PER_SYSTEM * #names and place % PER_SYSTEM < ROTATION
 end
 
--- The offsets of machine data as they are now. Values that have not changed are as the data have them, not by way of
+-- Returns the current offsets of the machine data. Unchanged values are as in the data, without conversion to
 -- inches.
 function systems.stored_offsets()
   local stored = copied(core.offsets)
@@ -69,13 +70,13 @@ end
 
 function systems.store_rotation(system, degrees) parameters.set(base(system) + ROTATION, degrees) end
 
--- X and Y turned about Z.
+-- Returns X and Y rotated about Z.
 function systems.turned(x, y, degrees)
   local c, s = math.cos(math.rad(degrees)), math.sin(math.rad(degrees))
   return x * c - y * s, x * s + y * c
 end
 
--- Where `point` (program coordinates, mm and deg, all axes) lies in machine coordinates without the tool offset.
+-- Returns `point` (program coordinates, mm and deg, all axes) in machine coordinates without the tool offset.
 function systems.placed(point, at, degrees, g92)
   local placed = {}
   for letter, value in pairs(point) do placed[letter] = value + (g92[letter] or 0) end
@@ -87,7 +88,7 @@ end
 local zero = {}
 for _, axis in ipairs(axes.list) do zero[axis.letter] = 0 end
 
--- Hands the sum of all offsets to the C++ side.
+-- Passes the sum of all offsets to the C++ side.
 local function apply_offsets()
   local offset = systems.placed(zero, origin, rotation_deg, state.g92)
   for letter, value in pairs(offset) do core.set_offset(letter, value + (state.tool_offset[letter] or 0)) end
@@ -95,7 +96,7 @@ local function apply_offsets()
   core.set_matrix(rotation_deg ~= 0 and { c, -s, 0, s, c, 0, 0, 0, 1 } or nil)
 end
 
--- The systems as the machine had them when the run began.
+-- The systems of the machine at the beginning of the run.
 local at_start = {}
 
 local function keep_systems()
@@ -113,7 +114,7 @@ local function tell_system(system)
   core.select_work_offset(names[system], start.origin, start.rotation_deg, moved)
 end
 
--- The system's parameters come into force.
+-- Activates the system's parameters.
 function systems.load(system)
   systems.in_force = system
   parameters.set(NUMBER_OF_SYSTEM, system)
@@ -125,13 +126,13 @@ end
 for system, name in ipairs(names) do
   word(systems.words[system], function()
     if system ~= systems.in_force then
-      path.wait()   -- also where both systems are in one place
+      path.wait()   -- even if both systems are identical
       systems.load(system)
     end
   end)
 end
 
--- The G92 offset as it is goes into its parameters.
+-- Stores the current G92 offset in its parameters.
 local function keep_g92()
   for i, letter in ipairs(parameters.letters) do
     parameters.set(FIRST_G92 + i - 1, parameters.to_stored(letter, state.g92[letter] or 0))
@@ -140,7 +141,7 @@ local function keep_g92()
   apply_offsets()
 end
 
--- G92: where the program stands gets the given coordinates.
+-- G92: the current position gets the given coordinates.
 word("G92", function(words)
   local here = axes.program_position()
   local any = frames.each_axis(words, "G92", "", function(letter, value)
@@ -150,7 +151,7 @@ word("G92", function(words)
   keep_g92()
 end)
 
--- G52: the same offset, given as itself.
+-- G52: the same offset, given directly.
 word("G52", function(words)
   if not frames.each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
     alarm("word-missing", "G52 needs axis words")
@@ -179,7 +180,7 @@ local function load_g92()
   apply_offsets()
 end
 
--- LinuxCNC passes over it while cutter compensation is on.
+-- LinuxCNC ignores it while cutter compensation is on.
 word("G92_3", function()
   if compensation.word then
     core.warn("G92.3 does nothing while cutter compensation is on; G40 first")
@@ -195,7 +196,7 @@ word("G53", function()
   core.machine_frame_once()
 end)
 
--- What the machine data say of the systems.
+-- The systems from the machine data.
 for system, name in ipairs(names) do
   for letter, value in pairs(core.offsets[name] or {}) do systems.store_origin(system, letter, value) end
 end

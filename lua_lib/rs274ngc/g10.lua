@@ -42,7 +42,8 @@ local function set_origin(words)
   reload(system)
 end
 
--- The machine without its tool offset, and the same point in the coordinates of a system.
+-- Machine position without its tool offset: `carriage` in machine coordinates, `in_system` in those of a
+-- system.
 local function carriage()
   local point = axes.shown(axes.programmed_point())
   for letter, value in pairs(point) do point[letter] = value - (state.tool_offset[letter] or 0) end
@@ -57,7 +58,7 @@ local function in_system(point, at, degrees, g92)
   return inside
 end
 
--- L20: the origin moves so that the machine stands at the given coordinates.
+-- L20: the origin moves so that the machine is at the given coordinates.
 local function set_origin_by_position(words)
   not_allowed(words, { "i", "j", "q", "r" }, "G10 L20")
   local system = system_of(words, "G10 L20")
@@ -81,7 +82,7 @@ local function tool_of(words, name)
   return tools.by_number[number] or alarm("tool", "%s P%d: there is no tool %d in the tool table", name, number, number)
 end
 
--- R, I, J and Q of a tool: radius, front and back angle, orientation.
+-- Sets R, I, J and Q of a tool: radius, front and back angle, orientation.
 local function set_shape(tool, words, name)
   if words.r ~= nil then tool.diameter = 2 * axes.in_mm("x", words.r) end
   tool.front_angle = words.i or tool.front_angle
@@ -95,7 +96,7 @@ local function set_shape(tool, words, name)
   end
 end
 
--- The offset of a tool along an axis, mm or deg; `length` is the one along Z.
+-- Returns the offset of a tool along an axis, mm or deg; `length` is the offset along Z.
 local function tool_offset(tool, letter)
   if letter == "z" then return (tool.length or 0) + (tool.z or 0) end
   return tool[letter] or 0
@@ -118,7 +119,7 @@ local function set_tool(words)
   set_shape(tool, words, "G10 L1")
 end
 
--- L10, L11: with the new offset in force (G43) the machine stands at the given coordinates of the system.
+-- L10, L11: if the new offset is active (G43), the machine is at the given coordinates of the system.
 local function set_tool_by_position(name, words, system, g92)
   local tool = tool_of(words, name)
   path.wait_at("G10 L1")

@@ -1,9 +1,10 @@
--- RS274/NGC: G28 and G30 go to a stored point by a point on the way, G28.1 and G30.1 store where the machine stands.
+-- RS274/NGC: G28 and G30 move to a stored point through an intermediate point, G28.1 and G30.1 store the
+-- machine position.
 
 local word = use("core/words", "word")
 local axes, parameters, path, polar = use "core/axes", use "rs274ngc/variables", use "core/path", use "common/polar"
 
--- The stored point in machine coordinates, as its parameters have it (inches and degrees).
+-- Returns the stored point in machine coordinates, from its parameters (inches and degrees).
 local function stored(first)
   local point = {}
   for i, letter in ipairs(parameters.letters) do
@@ -18,7 +19,8 @@ local function store(first, point)
   end
 end
 
--- Only the named axes go on to the stored point, in the directions of the program; all where none is named.
+-- Only the named axes continue to the stored point, in the directions of the program; all axes if none is
+-- named.
 local function go(words, first)
   local way, any = axes.programmed_point(), false
   if words ~= nil then way, any = core.target(polar.resolve(words)) end
@@ -36,8 +38,8 @@ end
 local homes = {}
 for _, axis in ipairs(axes.list) do homes[axis.letter] = axis.home end
 
--- At the start the point is home position `number_of_home` of the machine, where it has one, else the first; unless one has
--- been kept from the run before.
+-- At the start, the point is home position `number_of_home` of the machine, or the first one if it has none.
+-- A value kept from the run before has priority.
 local function define(name, first, number_of_home)
   local further = core.homes[number_of_home] or {}
   for i, letter in ipairs(parameters.letters) do

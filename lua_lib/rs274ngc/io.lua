@@ -1,8 +1,8 @@
--- RS274/NGC: inputs and outputs. Outputs are events; inputs are answered by a function of the script:
+-- RS274/NGC: inputs and outputs. Outputs are events; a function of the script supplies inputs:
 --   on_input(function(kind, number, wait, timeout_s) return value, waited_s end)
--- kind is "digital" or "analog"; wait is 0 (the value now), 1 (it rises), 2 (it falls), 3 (it is on) or 4 (it is
--- off). A nil value says that it did not happen in time. Without a function inputs are
--- signals where there are processes; else each is 0 at once, as in a dry run of LinuxCNC.
+-- kind is "digital" or "analog"; wait is 0 (the value now), 1 (it rises), 2 (it falls), 3 (it is on) or 4 (it
+-- is off). A nil value means that it did not happen in time. Without a function, inputs are signals if the
+-- run has processes; otherwise each is 0 at once, as in a dry run of LinuxCNC.
 
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
@@ -48,7 +48,7 @@ analog("M68", false)
 
 local HOW = { "rises", "falls", "on", "off" }
 
--- The answer of other processes: the signal of the input. The robot stands idle meanwhile.
+-- Returns the response of other processes: the signal of the input. The robot is idle meanwhile.
 local function ask_signal(kind, number, wait, timeout)
   local name = kind == "digital" and "DI" or "AI"
   local value = inputs.input_value(name, number)
@@ -74,7 +74,7 @@ local function ask(kind, number, wait, timeout)
   return value, math.min(waited or 0, timeout)
 end
 
--- Which input M66 reads: its kind and number.
+-- Returns the input that M66 reads: its kind and number.
 local function input_of(words)
   if words.p ~= nil and words.e ~= nil then
     alarm("word-out-of-place", "M66 reads a digital input (P) or an analog one (E), not both")

@@ -1,5 +1,5 @@
--- RS274/NGC: G7 and G8, whether X is a diameter or a radius on a lathe. As in LinuxCNC the words X of all codes are then
--- diameters, and so are the depths of G76; centres, R, @ and what parameters tell of X are not.
+-- RS274/NGC: G7 and G8 select diameter or radius for X on a lathe. As in LinuxCNC the words X of all codes
+-- are then diameters, and so are the depths of G76; centres, R, @ and parameter values of X are not.
 
 local word = use("core/words", "word")
 local axes, computed, context, named = use "core/axes", use "rs274ngc/computed", use "rs274ngc/context", use "rs274ngc/named"

@@ -1,4 +1,4 @@
--- RS274/NGC: comments that do something. Each becomes an event of the run; no file is written.
+-- RS274/NGC: comments with an effect. Each becomes an event of the run; no file is written.
 --   DEBUG("x is %f, y is %.2f", v[1], parameter("y"))   %f, %.nf and %d take a value, %% is a percent sign
 
 local alarm = use("core/basics", "alarm")
@@ -11,7 +11,7 @@ local SHOWN_AS_ZERO = 1e-4 -- what is smaller, as LinuxCNC prints it
 
 local plain = { ["%f"] = "%f", ["%d"] = "%.0f", ["%%"] = "%%" }
 
--- The format that begins at `at`, and the place behind it; nil where there is none.
+-- Returns the format that begins at `at`, and the position after it; nil if no format begins there.
 local function format_at(text, at)
   local two = text:sub(at, at + 1)
   if plain[two] then return plain[two], at + 2 end
@@ -51,14 +51,14 @@ local function check_text(text, name)
   return text
 end
 
--- (abort, text): the program ends in an alarm that says so. The values of its parameters are in the text.
+-- (abort, text): the program ends in an alarm with this text. The text contains the values of its parameters.
 word("ABORT", function(text, ...)
   local said = filled(check_text(text, "ABORT"), ...)
   while said:sub(1, 1) == " " do said = said:sub(2) end
   alarm("program-alarm", "%s", said ~= "" and said or "(abort,) without a text")
 end)
 
--- Comments that run Python inside of LinuxCNC's interpreter, which may do anything.
+-- Comments that run Python inside of LinuxCNC's interpreter, which can have any effect.
 for name, shown in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
   word(name, function()
     alarm("code-unsupported",
@@ -83,7 +83,7 @@ message("LOG", "log")
 
 word("MSG", function(text) path.event("message", check_text(text, "MSG")) end)
 
--- Files for what is logged: the events of the report stand in for them.
+-- Defines a word for log files: the events of the report replace them.
 local function file_word(name, kind)
   word(name, function(file)
     path.event(kind, ("%s (no file is written; the report has what is logged)"):format(check_text(file, name)))

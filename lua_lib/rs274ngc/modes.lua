@@ -1,4 +1,4 @@
--- RS274/NGC: feed modes, spindle and coolant, path modes, the centre of arcs.
+-- RS274/NGC: feed modes, spindle and coolant, path modes, the arc centre mode.
 
 local alarm, given = use("core/basics", "alarm", "given")
 local word = use("core/words", "word")
@@ -7,10 +7,10 @@ local axes, path, spindle, state = use "core/axes", use "core/path", use "common
 local MM_PER_M, MM_PER_FOOT = 1000, 304.8
 local WHOLE_TURN = 360
 
-core.set_letters_uvw(false)            -- U, V and W are axes or nothing
-core.set_inverse_time_of_arcs(false)   -- 60/F s for a whole arc, as for a line
+core.set_letters_uvw(false)            -- U, V and W are axes or invalid
+core.set_inverse_time_of_arcs(false)   -- 60/F s for a complete arc, as for a line
 
--- There is one spindle, $0; for words that may be for `all` of them $-1 is another name of it.
+-- The only spindle is $0. For words that may be for `all` spindles, $-1 is another name of it.
 local function check_spindle(words, name, all)
   local number = words and words.spindle
   if number ~= nil and number ~= 0 and not (all and number == -1) then
@@ -30,7 +30,7 @@ local function drop_feed()
   core.clear_feed()
 end
 
--- G94 and G95 drop F even where they are in force already: F stands behind them, or in their block.
+-- G94 and G95 drop F even if they are already active: F must come after them, or in their block.
 local function feed_mode(name, mode)
   word(name, function()
     core.set_feed_mode(mode)
@@ -43,10 +43,10 @@ feed_mode("G95", "revolution")
 
 -- --- Spindle ---
 
--- Constant surface speed (G96): S is m/min or feet/min, D the most turns a minute; nil with G97.
+-- Constant surface speed (G96): S is m/min or feet/min, D the max rpm; nil with G97.
 local surface
 
--- The speed at the X where it is programmed; the path does not change it afterwards.
+-- Returns the speed at the X of the programmed position; the path does not change it afterwards.
 local function surface_rpm()
   if state.spindle_word == 0 then return 0 end
   local radius_mm = math.abs(axes.program_position().x or 0)
@@ -160,7 +160,7 @@ word("G61_1", function()
   path.set_mode("exact_stop")
 end)
 
--- P: how far corners may be cut; Q: within what lines are merged, like P where it is left out.
+-- P: max deviation at corners; Q: tolerance for merging lines, equal to P if it is missing.
 word("G64", function(words)
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
@@ -174,7 +174,7 @@ word("G64", function(words)
   path.warn_of_stops("G64 (continuous mode)")
 end)
 
--- A code that the translator put off: the subroutine around it is called after all.
+-- Handles a code that the translator deferred: the surrounding subroutine is called after all.
 function env.unknown_code(code)
   alarm("code-unknown", "%s is no code of RS274/NGC", code)
 end

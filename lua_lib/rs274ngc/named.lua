@@ -1,5 +1,5 @@
--- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other belongs to the
--- subroutine; some global ones are the control's own and read-only.
+-- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other is local to
+-- the subroutine; some global parameters belong to the controller and are read-only.
 
 local alarm, code_number = use("core/basics", "alarm", "code_number")
 local axes, compensation, hooks, modes, parameters =
@@ -33,7 +33,7 @@ local scope = {
 local function new_scope() return setmetatable({}, scope) end
 env.p = new_scope()
 
--- Each call has a scope of its own, and leaves no value unless it says one.
+-- Each call has its own scope. It returns a value only if it sets one.
 hooks.on("call", "named parameters", function(frame)
   frame.names, env.p = env.p, new_scope()
 end)
@@ -45,14 +45,15 @@ local function defined(name)
   return rawget(env.p, name) ~= nil or rawget(globals, name) ~= nil or predefined[name] ~= nil
 end
 
--- exists("depth") of a named parameter; exists(5) of #5: a numbered one exists where its number is one of a parameter.
+-- Returns true if a parameter exists: exists("depth") for a named one; exists(5) for #5. A numbered one
+-- exists if its number is that of a parameter.
 function env.exists(name)
   local found
   if type(name) == "number" then found = parameters.has_number(name) else found = defined(name) end
   return found and 1.0 or 0.0
 end
 
--- For comments: the value of a named parameter, or nil where it has none.
+-- For comments: returns the value of a named parameter, or nil if it has none.
 function env.parameter(name)
   if defined(name) then return env.p[name] end
 end
@@ -66,7 +67,7 @@ local function predefine(name, value)
   end
 end
 
-predefine("_vmajor", function() return 2.9 end)   -- the version of LinuxCNC whose words these are
+predefine("_vmajor", function() return 2.9 end)   -- the LinuxCNC version that defines these words
 predefine("_vminor", function() return 0 end)
 predefine("_task", function() return false end)
 predefine("_remap_level", function() return 0 end)
@@ -79,7 +80,7 @@ predefine("_line", function()
   return core.place() & 0xffffffff
 end)
 
--- Ten times the number of a code by its name: G38_2 and G38.2 are 382.
+-- Returns ten times the number of a code by its name: G38_2 and G38.2 are 382.
 local function ten_times(name) return math.floor((code_number(name) or 80) * 10 + 0.5) end
 
 predefine("_motion_mode", function() return ten_times(core.motion()) end)
@@ -116,7 +117,7 @@ predefine("_feed_hold", function() return switches.is_enabled("hold") end)
 predefine("_current_tool", function() return tools.loaded() end)
 predefine("_selected_tool", function() return tools.selected() end)
 
--- The table has no pockets of its own: each tool stands in that of its number, and -1 is none.
+-- The table has no separate pockets: each tool is in the pocket with its number, and -1 is none.
 predefine("_current_pocket", function() return tools.loaded() end)
 predefine("_selected_pocket", function() return tools.selected() > 0 and tools.selected() or -1 end)
 
@@ -127,7 +128,8 @@ predefine("_tool_offset", function()
   return false
 end)
 
--- Where the tool stands after the moves so far: in coordinates of the program, and in those of the machine.
+-- Returns the tool position after the moves so far: in coordinates of the program, and in those of the
+-- machine.
 local function position(letter)
   if axes.is_rotary[letter] == nil then return 0 end
   local point = axes.shown(compensation.tool_beside_path() or axes.programmed_point())

@@ -1,6 +1,7 @@
--- RS274/NGC: the operator's overrides and hold (M48 to M53), and the stop for a change of pallets (M60). They are
--- events, and parameters tell which of them may be used. As in LinuxCNC the feed switch is that of rapid moves, too, and
--- a move keeps what was in force when it was programmed. Adaptive feed and feed hold have no input here.
+-- RS274/NGC: the operator's overrides and hold (M48 to M53), and the stop for a pallet change (M60). They are
+-- events, and parameters show which of them are enabled. As in LinuxCNC, the feed switch also applies to
+-- rapid moves, and a move keeps the settings that were active when it was programmed. Adaptive feed and feed
+-- hold have no input here.
 
 local copied = use("core/basics", "copied")
 local word = use("core/words", "word")
@@ -27,7 +28,7 @@ for name, on in pairs { M48 = true, M49 = false } do
   end)
 end
 
--- With P0 it is off, with another P or none it is on.
+-- P0 switches it off, another P or none switches it on.
 for name, what in pairs { M50 = "feed", M51 = "speed", M52 = "adaptive", M53 = "hold" } do
   word(name, function(words)
     ngc_modes.check_spindle(words, name, true)
@@ -39,7 +40,7 @@ word("M60", function()
   path.event("stop", "change of pallets")
 end)
 
--- For M70 to M73: the state, and its return.
+-- For M70 to M73: `keep` returns the state, `restore` sets it again.
 function switches.keep() return copied(enabled) end
 
 function switches.restore(kept)

@@ -1,6 +1,6 @@
--- RS274/NGC: a target in polar form, @5 ^30 as G1{radius=5, angle=30}. Absolute: distance and angle in the XY plane
--- from the zero point of the program; incremental: both are added to those of the present point. What is not given
--- stays as it is.
+-- RS274/NGC: a target in polar form, @5 ^30 as G1{radius=5, angle=30}. Absolute: distance and angle in the XY
+-- plane from the zero point of the program; incremental: both are added to those of the current point. A
+-- missing value does not change.
 
 local alarm, copied = use("core/basics", "alarm", "copied")
 local axes = use "core/axes"

@@ -1,12 +1,12 @@
--- RS274/NGC: words of a block are there for all of its codes. In `G64 P2 X20 I5` P is the tolerance of G64 and, where G2
--- is the modal motion, its turns: move(shared({x=20, i=5}, {p=2})).
+-- RS274/NGC: words of a block apply to all of its codes. In `G64 P2 X20 I5` P is the tolerance of G64 and, if
+-- G2 is the modal motion, its turns: move(shared({x=20, i=5}, {p=2})).
 
 local copied = use("core/basics", "copied")
 local cycles = use "common/cycles"
 
 local of_arcs, of_cycles = { "p", "r" }, { "l", "p", "q", "r" }
 
--- The words of the modal motion, with those of others that it reads too.
+-- Returns the words of the modal motion, and the words of other codes that it reads too.
 function env.shared(words, others)
   local is_arc = core.motion() == "G2" or core.motion() == "G3"
   local letters = is_arc and of_arcs or cycles.is_cycle(core.motion()) and of_cycles or {}

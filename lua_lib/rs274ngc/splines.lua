@@ -1,4 +1,5 @@
--- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), put out as pairs of arcs.
+-- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), output as pairs of
+-- arcs.
 
 local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
 local feed_of_part = use("common/feed", "feed_of_part")
@@ -18,14 +19,14 @@ local function on_machine(point)
   return target
 end
 
--- Arcs and lines one behind the other, as splines.arcs and splines.chords give them.
+-- Outputs consecutive arcs and lines, as splines.arcs and splines.chords return them.
 local function put_out(pieces)
   local whole = 0
   for _, piece in ipairs(pieces) do whole = whole + piece.length end
   local feed = core.take_feed()
   for _, piece in ipairs(pieces) do
     if piece.length > SAME_MM then
-      -- Time per block (G93) is shared among the pieces by their lengths.
+      -- The time of the block (G93) is distributed over the parts by their lengths.
       local target, own_feed = on_machine(piece), feed_of_part(feed, piece.length / whole)
       if piece.sweep then
         path.arc("xy", piece.ccw, piece.first, piece.second, piece.sweep, target, own_feed)
@@ -54,7 +55,7 @@ local function here()
   return point
 end
 
--- A point at a vector of the program from `point`.
+-- Returns the point at a vector of the program from `point`.
 local function moved(point, x, y)
   local dx, dy, dz = core.direction(x * core.unit_mm(), y * core.unit_mm(), 0)
   return { x = point.x + dx, y = point.y + dy, z = point.z + dz }
@@ -71,18 +72,18 @@ local function check(words, name, letters)
   end
 end
 
--- Both of `a` and `b`, or neither where that is allowed.
+-- Returns both `a` and `b`, or nil if neither is given and that is allowed.
 local function pair(words, a, b, name, optional)
   if words[a] == nil and words[b] == nil and optional then return nil end
   if words[a] == nil or words[b] == nil then alarm("word-missing", "%s needs %s and %s", name, a:upper(), b:upper()) end
   return { words[a], words[b] }
 end
 
--- G5 and G5.1 hold for their own block; the motion before them stays modal.
+-- G5 and G5.1 apply to their own block only; the motion before them remains modal.
 
-local last_g5   -- its end, and how it led there: a next one that begins there goes on in that direction
+local last_g5   -- its end point and direction: a next one that begins there continues in that direction
 
--- G5: I J lead from the start to the first control point, P Q from the end to the second.
+-- G5: I J is the offset from the start to the first control point, P Q from the end to the second.
 word("G5", function(words)
   words = words or {}
   check(words, "G5", " x y i j p q ")
@@ -90,7 +91,7 @@ word("G5", function(words)
   local goes_on = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
   local first = pair(words, "i", "j", "G5", true) or goes_on and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
-  -- grblHAL takes P and Q of the block itself, turned round, where others take those of the one before.
+  -- grblHAL uses the negated P and Q of the block itself, while others use those of the block before.
   if goes_on and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
   local target, named = core.target(words, " i j p q ")
   if not named then alarm("word-missing", "G5 needs X or Y, its end") end
@@ -98,7 +99,7 @@ word("G5", function(words)
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
 
--- G5.1: I J lead from the start to the only control point between start and end.
+-- G5.1: I J is the offset from the start to the only control point between start and end.
 word("G5_1", function(words)
   words = words or {}
   check(words, "G5.1", " x y i j ")

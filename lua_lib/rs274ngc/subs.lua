@@ -46,10 +46,10 @@ function env.call(name, ...)
   state.call_value = type(value) == "number" and value or nil
 end
 
--- The value with which a subroutine ends: `do return result(5) end`.
+-- Returns the value with which a subroutine ends: `do return result(5) end`.
 function env.result(value) return env.number(value) end
 
--- Passes of o-repeat: the nearest whole number, of two the even one; below 0 there are none.
+-- Returns the passes of o-repeat: the nearest integer, halves to even; 0 passes for values below 0.
 function env.times(count)
   if type(count) ~= "number" or count ~= count or math.abs(count) > 2^53 then
     alarm("word-value", "the number of repeats is a number, not %s", tostring(count))

@@ -10,7 +10,7 @@ local function needed(words, letter, name)
   return value
 end
 
--- The target; other words that may stand there are in `others`, each between blanks.
+-- Returns the target; `others` lists the other allowed words, each between blanks.
 local function axis_words(words, name, others)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   local target, moved = core.target(words or {}, others)
@@ -27,7 +27,7 @@ local function refuse_rotary(words, name)
   end
 end
 
--- With K0 LinuxCNC lets the spindle be: the move goes at the feed in force.
+-- With K0, LinuxCNC ignores the spindle: the move uses the active feed.
 local function thread(words)
   local target = axis_words(words, "G33", " k spindle ")
   local pitch = needed(words, "k", "G33")
@@ -37,7 +37,7 @@ local function thread(words)
   path.line(target, pitch ~= 0 and spindle.thread_feed(pitch * core.unit_mm(), "G33") or nil, "thread")
 end
 
--- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
+-- Moves down and, with the spindle reversed, back to the start; I is the speed factor of the return.
 local function rigid_tap(words)
   local target = axis_words(words, "G33.1", " i k spindle ")
   refuse_rotary(words, "G33.1")
@@ -53,12 +53,12 @@ end
 
 local MOST_PASSES = 10000
 
--- A depth of G76: it is along X, and counts as words of X do.
+-- Returns a depth of G76: it is along X, and is interpreted like words of X.
 local function depth_word(words, letter)
   return axes.word_in_units("x", needed(words, letter, "G76")) * core.unit_mm()
 end
 
--- The words of a threading cycle, lengths in mm.
+-- Returns the words of a threading cycle, lengths in mm.
 local function thread_words(words)
   local unit = core.unit_mm()
   local t = {
@@ -89,7 +89,7 @@ local function thread_words(words)
   return t
 end
 
--- Strokes over X and Z, with the feed for a pitch.
+-- Returns strokes over X and Z, with the feed for a pitch.
 local function lathe_tool(start)
   local y = start.y
   local tool = {}
@@ -100,7 +100,8 @@ local function lathe_tool(start)
   return tool
 end
 
--- One pass at a depth below the crest; `t` holds the words, `from` and `to` the drive line along Z.
+-- Makes one pass at a depth below the crest; `t` holds the words, and `from` and `to` of the drive line along
+-- Z.
 local function pass(tool, t, depth)
   local out = t.peak > 0 and -1 or 1              -- from the work to the drive line
   local ahead = t.to > t.from and 1 or -1
@@ -133,7 +134,8 @@ local function threading_cycle(words)
   t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
   local tool = lathe_tool(here)
   local depth, number = t.first_cut, 1
-  -- LinuxCNC counts depths from the drive line, in program units, which decides about a pass where rounding does.
+  -- LinuxCNC measures depths from the drive line, in program units. This matters if rounding decides about a
+  -- pass.
   local drive, unit = math.abs(t.peak) / core.unit_mm(), core.unit_mm()
   while drive + depth / unit < drive + t.full_depth / unit do
     if number > MOST_PASSES then
@@ -147,7 +149,7 @@ local function threading_cycle(words)
   path.rapid(target)
 end
 
--- They are modal, but need their words in each block.
+-- These codes are modal, but need their words in each block.
 motion.modal_word("G33", thread)
 motion.modal_word("G33_1", rigid_tap)
 motion.modal_word("G76", threading_cycle)

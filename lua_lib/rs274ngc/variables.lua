@@ -1,4 +1,4 @@
--- RS274/NGC: numbered parameters #1 to #5601 as v[1].., and the functions of expressions where they differ from
+-- RS274/NGC: numbered parameters #1 to #5601 as v[1].., and the functions of expressions that differ from
 -- variables.lua. An unset parameter is 0. #1 to #30 are local to a subroutine (rs274ngc/subs.lua).
 
 local alarm, copied = use("core/basics", "alarm", "copied")
@@ -6,7 +6,7 @@ local axes, hooks = use "core/axes", use "core/hooks"
 
 
 local LAST = 5601
-local INDEX_TOLERANCE = 1e-4   -- of a number that stands for a whole one
+local INDEX_TOLERANCE = 1e-4   -- for a number that represents an integer
 local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
 
 local STORED_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
@@ -17,7 +17,7 @@ local parameters = {
 
 local rotary = { a = true, b = true, c = true }
 
--- Whether a letter stands for an angle, also where the machine has no such axis.
+-- Returns true if a letter means an angle, even if the machine has no such axis.
 function parameters.is_angle(letter)
   local known = axes.is_rotary[letter]
   if known == nil then return rotary[letter] or false end
@@ -27,7 +27,7 @@ end
 function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_MM end
 function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_MM end
 
--- The whole number that a value means, or nil.
+-- Returns the integer that a value means, or nil.
 function parameters.whole(value)
   if type(value) ~= "number" or value ~= value then return nil end
   local whole = math.tointeger(math.floor(value + 0.5))
@@ -52,7 +52,7 @@ local function index(number)
   return whole
 end
 
--- Parameters that the control works out when they are read; nothing can be put into them.
+-- Parameters that the controller computes when they are read; they cannot be written.
 local computed = {}
 
 function parameters.compute(number, value) computed[number] = value end
@@ -77,7 +77,8 @@ for number, value in pairs(core.variables) do
   if number > 30 and number <= LAST then values[number] = value + 0.0 end
 end
 
--- What LinuxCNC keeps from one run to the next: what was there at the start, home points and offsets.
+-- Returns the values that LinuxCNC keeps from one run to the next: those from the start, home points and
+-- offsets.
 local FIRST_KEPT, LAST_KEPT = 5161, 5390
 function parameters.permanent()
   local kept = {}
@@ -89,15 +90,15 @@ function parameters.permanent()
   return kept
 end
 
--- Parameters as they were when the run began.
+-- Parameters at the beginning of the run.
 local at_start = {}
 hooks.on("begin", "numbered parameters", function()
   for number, value in pairs(values) do at_start[number] = value end
 end)
 function parameters.has_changed(number) return rawget(values, number) ~= at_start[number] end
 
--- The variables of the machine data as they are now, and what the run has changed of those that are kept. Origins of
--- the systems are not among them: they are offsets.
+-- Returns the current variables of the machine data, and the kept parameters that the run has changed.
+-- Origins of the systems are not included: they are offsets.
 function parameters.stored(is_origin)
   local stored = copied(core.variables)
   for number in pairs(stored) do
@@ -109,14 +110,14 @@ function parameters.stored(is_origin)
   return stored
 end
 
--- For the control itself, past the checks.
+-- Sets a parameter for the controller itself, without the checks.
 function parameters.set(number, value) rawset(values, number, value + 0.0) end
 
--- #1 to #30 always have values, so that reading and writing them here is plain and fast.
+-- #1 to #30 always have values, so reading and writing them here is plain and fast.
 local LAST_LOCAL = 30
 for i = 1, LAST_LOCAL do values[i] = 0.0 end
 
--- They get new values, 0 where there is none; the old ones are the result.
+-- Gives them new values, 0 if none is given, and returns the old ones.
 local function swap_locals(new)
   local old = {}
   for i = 1, LAST_LOCAL do
@@ -125,7 +126,8 @@ local function swap_locals(new)
   return old
 end
 
--- A call with arguments has them as its own; without them those of the caller stay in force, as for M98.
+-- A call with arguments has its own local parameters; without arguments those of the caller remain active, as
+-- for M98.
 hooks.on("call", "numbered parameters", function(frame, arguments)
   frame.numbered = arguments and swap_locals(arguments)
 end)
@@ -135,7 +137,7 @@ end)
 
 values[5599] = 1.0   -- debug messages are shown
 
--- Expressions. A comparison may stand where a number is wanted.
+-- Expressions. A comparison is allowed if a number is expected.
 local function number_of(value)
   if value == true then return 1 end
   if not value then return 0 end
@@ -160,7 +162,7 @@ function env.AND(a, b) return logical(number_of(a) ~= 0 and number_of(b) ~= 0) e
 function env.OR(a, b) return logical(number_of(a) ~= 0 or number_of(b) ~= 0) end
 function env.XOR(a, b) return logical((number_of(a) ~= 0) ~= (number_of(b) ~= 0)) end
 
--- From 0 up to below the size of b, whatever the signs.
+-- Returns a value from 0 to below the absolute value of b, for any signs.
 function env.MOD(a, b)
   a, b = number_of(a), math.abs(number_of(b))
   if b == 0 then alarm("arithmetic", "MOD by zero") end
@@ -175,7 +177,7 @@ end
 
 function env.EXP(a) return finite(math.exp(number_of(a)), "EXP") end
 
--- The angle of the point (b, a), from -180 to 180.
+-- Returns the angle of the point (b, a), from -180 to 180.
 function env.ATAN(a, b)
   if b == nil then alarm("arithmetic", "ATAN takes two sides: ATAN[1]/[2]") end
   return core.atan_deg(number_of(a), number_of(b))
@@ -184,7 +186,7 @@ end
 function env.FIX(a) return math.floor(number_of(a)) + 0.0 end
 function env.FUP(a) return math.ceil(number_of(a)) + 0.0 end
 
--- Both are of other dialects.
+-- BIN and BCD belong to other dialects.
 local function unknown(name)
   return function() alarm("syntax", "%s is no function of RS274/NGC", name) end
 end

@@ -18,7 +18,8 @@ std::string no_entry(DataSection section, std::string_view id) {
     return fmt::format("there is no {} {} in the file", keyword(section), shown_word(id));
 }
 
-// The sentence of "x:line:column: sentence"; lines of a change that was refused are none that anybody sees.
+// Returns the message of "x:line:column: message"; line numbers of a rejected change refer to a text that
+// users never see.
 std::string sentence_of(const std::string& error) {
     return error.substr(error.find(": ") + 2);
 }

@@ -13,16 +13,16 @@
 
 namespace gsim::machine {
 
-/// Machine data as they stand in their file, to be shown, changed and saved: what the preprocessor form of a
-/// controller works on. text() gives back the bytes that were read; a change of an entry changes its line
-/// alone, and in it the words that have another value. A change that would not make a right file is refused
-/// with a sentence, and nothing has changed then.
+/// Machine data as they are in their file, to be displayed, changed and saved, as in the preprocessor form of
+/// a controller. text() returns the bytes that were read. A change of an entry changes only its line, and in
+/// it only the words with another value. A change that would make an invalid file returns a message and
+/// changes nothing.
 class MachineDataDocument {
   public:
-    /// A file without entries, for a machine with these axes (none: not known).
+    /// Creates a file without entries, for a machine with these axes (none: not known).
     explicit MachineDataDocument(std::span<const Axis> axes = {});
 
-    /// Reads a file; the errors are "file:line:column: sentence" each, as read_data_lines() has them.
+    /// Reads a file; each error is "file:line:column: message", as in read_data_lines().
     static tl::expected<MachineDataDocument, std::vector<std::string>> read(std::string_view text,
                                                                             std::string_view file_name,
                                                                             std::span<const Axis> axes = {});
@@ -31,41 +31,41 @@ class MachineDataDocument {
     const MachineData& data() const { return data_; }
     const DataRules& rules() const { return rules_; }
 
-    /// The entries of a section as they are written, in the order of their lines.
+    /// Returns the entries of a section as they are written, in the order of their lines.
     std::vector<DataRow> rows(DataSection section) const;
-    /// One entry; nothing where there is none. Names of aliases count without regard to case.
+    /// Returns one entry, or nothing if it does not exist. Names of aliases count without regard to case.
     std::optional<DataRow> find(DataSection section, std::string_view id) const;
     struct Place {
         std::size_t line = 1;
         std::size_t column = 1;
     };
-    /// Where an entry stands, or its field of that index. The entry must exist; a field without a word counts
-    /// as the entry.
+    /// Returns the position of an entry, or of its field of that index. The entry must exist; a field without
+    /// a word counts as the entry.
     Place place(DataSection section, std::string_view id, std::optional<std::size_t> field = {}) const;
 
     /// A field by its (upper case) name, and its new value as it is to be written, in the unit of the entry;
-    /// an empty value takes it away.
+    /// an empty value removes it.
     using FieldValues = std::vector<std::pair<std::string, std::string>>;
     using Changed = tl::expected<void, std::string>;
 
-    /// Changes an entry, or adds it at the end of its section; what is not given is then 0, or no limit.
-    /// Where `unit` is given and the entry has the other one, its other lengths are converted first.
+    /// Changes an entry, or adds it at the end of its section; missing values are then 0, or no limit. If
+    /// `unit` is given and the entry has the other one, its other lengths are converted first.
     Changed set(DataSection section, std::string_view id, const FieldValues& values,
                 std::optional<LengthUnit> unit = {});
-    /// Takes an entry out of the file, with its line.
+    /// Removes an entry from the file, with its line.
     Changed erase(DataSection section, std::string_view id);
-    /// Sets the numbers of an entry to 0. Named values go away, but for the name of a point, and so does an
-    /// alias or a zone as a whole.
+    /// Sets the numbers of an entry to 0. Removes named values, except the name of a point. Removes an alias
+    /// or a zone completely.
     Changed reset(DataSection section, std::string_view id);
-    /// reset() of all entries of a section.
+    /// Runs reset() on all entries of a section.
     Changed reset_all(DataSection section);
-    /// Writes all lengths in one unit. What they mean stays, to 15 digits.
+    /// Writes all lengths in one unit. Their meaning stays the same, to 15 digits.
     Changed convert(LengthUnit unit);
-    /// Changes the file so that it holds these data. Entries keep their units.
+    /// Changes the file so that it contains these data. Entries keep their units.
     Changed update(const MachineData& data);
 
   private:
-    // In machine_data_edit.cpp: changes of lines_, without a look at the whole.
+    // Defined in machine_data_edit.cpp: changes of lines_, without a check of the complete file.
     std::optional<std::size_t> line_of(DataSection section, std::string_view id) const;
     ReadRow row_at(std::size_t line) const;
     Changed edit(std::size_t line, const FieldValues& values);
@@ -76,11 +76,11 @@ class MachineDataDocument {
     void erase_line(std::size_t line);
     Changed reset_line(std::size_t line);
 
-    // In machine_data_update.cpp.
+    // Defined in machine_data_update.cpp.
     Changed update_section(const SectionRules& rules, const MachineData& data);
     Changed update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
 
-    /// Runs a change of lines_ and reads the result; takes it back where that is no right file.
+    /// Runs a change of lines_ and reads the result; undoes the change if the file is invalid.
     template <typename Change>
     Changed attempt(Change change);
 

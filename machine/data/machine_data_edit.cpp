@@ -1,4 +1,4 @@
-// How a document changes its lines.
+// Changes of the lines of a document.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ double in_unit(double value, LengthUnit unit) {
     return unit == LengthUnit::inch ? value / kMmPerInch : value * kMmPerInch;
 }
 
-// 15 digits, so that 1.5 inches are 38.1 mm and not 38.099999999999994; more where 15 would not lead back.
+// 15 digits, so that 1.5 inches are 38.1 mm and not 38.099999999999994; more if 15 would not lead back.
 std::string converted(double value, LengthUnit unit) {
     const LengthUnit other = unit == LengthUnit::inch ? LengthUnit::metric : LengthUnit::inch;
     std::string text;
@@ -52,7 +52,7 @@ std::string names_of(const SectionRules& rules) {
     return names;
 }
 
-// Puts values into a row by their names.
+// Writes values into a row by their names.
 tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
                                       const MachineDataDocument::FieldValues& values) {
     for (const auto& [name, value] : values) {
@@ -67,7 +67,7 @@ tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
     return check_words(row);
 }
 
-// Gives values in a row those that they need in front of them: 0, or no wall.
+// Fills the positions before given values in a row: with 0, or no wall.
 tl::expected<void, std::string> fill(const SectionRules& rules, DataRow& row) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < rules.positional(); ++i) {
@@ -93,7 +93,7 @@ bool is_same(const DataField& field, std::string_view a, std::string_view b) {
     return first && second ? *first == *second : a == b;
 }
 
-/// Makes the words of a line say what a row says.
+/// Change of the words of a line to the content of a row.
 class LineChange {
   public:
     LineChange(const SectionRules& rules, std::string_view line, const ReadRow& read)
@@ -118,7 +118,7 @@ class LineChange {
         }
     }
 
-    // Their places shift all that is behind them.
+    // Such words shift the indices of all later words.
     void moved(std::size_t from, std::ptrdiff_t by) {
         for (auto& word : read_.word_of_field) {
             if (word && *word >= from)
@@ -226,7 +226,7 @@ MachineDataDocument::Changed MachineDataDocument::add(const SectionRules& rules,
     });
 }
 
-// Behind the last entry of the section, or behind its keyword; a section that is missing is added.
+// Returns the position after the last entry of the section, or after its keyword; a missing section is added.
 std::size_t MachineDataDocument::end_of_section(DataSection section) {
     for (std::size_t i = lines_.size(); i-- > 0;) {
         const DataLine& line = lines_[i];
@@ -241,7 +241,7 @@ std::size_t MachineDataDocument::end_of_section(DataSection section) {
     return before + 1;
 }
 
-// Lines end as the one above does.
+// The line end is that of the line above.
 void MachineDataDocument::insert_line(std::size_t before, std::string text, DataLine::Kind kind,
                                       DataSection section) {
     DataLine line;

@@ -12,9 +12,9 @@ class EditedLine {
     explicit EditedLine(std::string_view line);
 
     std::size_t size() const { return words_.size(); }
-    /// Puts another word in the place of one. What stands behind it keeps its column where blanks allow that.
+    /// Replaces a word. Text after it keeps its column if blanks allow that.
     void replace(std::size_t index, std::string_view word);
-    /// Inserts a word in front of that one; `index` is size() for the end, in front of the remark.
+    /// Inserts a word before that one; `index` is size() for the end, before the remark.
     void insert(std::size_t index, std::string_view word);
     void erase(std::size_t index);
 

@@ -56,7 +56,7 @@ class Reader {
         faulty_ = true;
     }
 
-    /// Nothing behind this can be read with any sense.
+    /// Reports an error after which the remainder has no usable meaning.
     void fail_wholly(std::size_t column, std::string_view sentence) {
         fail(column, sentence);
         lost_ = true;
@@ -110,8 +110,7 @@ class Reader {
         remember_once(std::string(keyword(section)), fmt::format("the section {}", keyword(section)));
     }
 
-    // Entries that are not in the file have their default values; that is what the dots of a printed file
-    // say.
+    // Entries that are not in the file have their default values, as indicated by the dots of a printed file.
     void leave_out(DataLine& line) {
         if (!section_ || words_.size() > 1 || words_[0].text != kLeftOut) {
             return fail(words_[0].column,
@@ -147,7 +146,7 @@ class Reader {
                       words_[*read.word_of_field[field]].column);
     }
 
-    // What follows a misspelled keyword belongs to no section that is known.
+    // Lines after a misspelled keyword belong to no known section.
     void fail_unknown_keyword(const DataWord& first) {
         const bool number = parse_number<double>(first.text).has_value();
         if (number && section_)

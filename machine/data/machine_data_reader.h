@@ -17,20 +17,20 @@ struct DataLine {
     enum class Kind { other, section, entry, left_out, end };  ///< other: empty, a remark, or NCFILE.
 
     std::string text;
-    std::string end;  ///< "\n", "\r\n", or nothing at the end of the file.
+    std::string end;  ///< "\n", "\r\n", or empty at the end of the file.
     Kind kind = Kind::other;
-    DataSection section = DataSection::offset;  ///< Of keywords of sections, entries and '...'.
-    std::string id;                             ///< Of entries.
+    DataSection section = DataSection::offset;  ///< For keywords of sections, entries and '...'.
+    std::string id;                             ///< For entries.
 };
 
-/// A file that is right.
+/// A valid file.
 struct ReadData {
     std::vector<DataLine> lines;
     MachineData data;
 };
 
-/// Reads a whole file. The errors are "file:line:column: sentence" each, at most one for a line and 100 in
-/// all, in the order of the lines.
+/// Reads a complete file. Each error is "file:line:column: message", at most one per line and 100 in total,
+/// in the order of the lines.
 tl::expected<ReadData, std::vector<std::string>> read_data_lines(std::string_view text,
                                                                  std::string_view file_name,
                                                                  const DataRules& rules);

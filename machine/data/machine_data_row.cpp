@@ -26,7 +26,7 @@ bool is_letter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-// Never a number, by which points are looked up, too.
+// A name is never a number, because points are searched by number, too.
 bool is_name(std::string_view text) {
     return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
         return is_letter(c) || text::is_digit(c) || c == '_';

@@ -57,7 +57,7 @@ DataField choice(std::string name, std::vector<std::string_view> choices, std::s
             .meaning = std::move(meaning)};
 }
 
-/// `point`: what lies there.
+/// `point` names the object at the point.
 std::vector<DataField> point_fields(std::string_view point, std::span<const Axis> axes) {
     const auto meaning = [point](std::string_view axis) {
         return fmt::format("{} on {}, in machine coordinates", point, axis);

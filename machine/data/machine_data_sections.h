@@ -12,30 +12,30 @@
 
 namespace gsim::machine {
 
-/// The tables of a controller, in the order in which a new file has them.
+/// The tables of a controller, in the order of a new file.
 enum class DataSection { offset, fixed, reference, home, tool, variable, alias, security, working };
 
 inline constexpr std::array kDataSections{DataSection::offset, DataSection::fixed,    DataSection::reference,
                                           DataSection::home,   DataSection::tool,     DataSection::variable,
                                           DataSection::alias,  DataSection::security, DataSection::working};
 
-/// X, Y and Z, the first values of a point.
+/// Number of the first values of a point: X, Y and Z.
 inline constexpr std::size_t kSpaceAxes = 3;
 
-/// How a value stands in its line.
+/// Form of a value in its line.
 enum class FieldForm {
-    positional,  ///< By its place behind the number of the entry.
-    named,       ///< NAME=VALUE, behind the others.
-    choice,      ///< One of several words, behind the values.
+    positional,  ///< By its position after the entry's number.
+    named,       ///< NAME=VALUE, after the others.
+    choice,      ///< One of several words, after the values.
 };
 
-/// What a value is.
+/// Meaning of a value.
 enum class Quantity {
     length,   ///< In the unit of its entry.
     angle,    ///< deg
     unknown,  ///< A length or an angle: of an axis of a machine that is not known.
     plain,    ///< A number without unit.
-    whole,    ///< A whole number between two limits.
+    whole,    ///< An integer between two limits.
     text,
 };
 
@@ -45,35 +45,35 @@ struct DataField {
     FieldForm form = FieldForm::positional;
     Quantity quantity = Quantity::length;
     bool required = false;
-    bool may_be_open = false;  ///< '-' may stand for it: there is no such limit.
-    bool is_name = false;      ///< Of texts: no other entry of the section has it, in any case.
-    int least = 0;             ///< Of whole numbers.
+    bool may_be_open = false;  ///< '-' may replace it: no such limit exists.
+    bool is_name = false;      ///< For texts: unique in the section, regardless of case.
+    int least = 0;             ///< For integers.
     int greatest = 0;
-    std::vector<std::string_view> choices = {};  ///< Upper case; the first one holds where none is given.
+    std::vector<std::string_view> choices = {};  ///< Upper case; the first one applies if none is given.
     std::string meaning = {};                    ///< For people: "angle of the front edge".
 };
 
-/// What the entries of a section are.
+/// Rules for the entries of a section.
 struct SectionRules {
     DataSection section = DataSection::offset;
     std::string_view keyword = {};  ///< The line that begins the section.
     std::string_view title = {};    ///< For people: "Fixed points".
     std::string_view what = {};     ///< An entry: "fixed point".
-    std::string_view ids = {};      ///< Which numbers, codes or names entries have: "1 to 99999".
-    std::string_view lacking = {};  ///< The sentence where required values are missing; for points: empty.
+    std::string_view ids = {};      ///< Numbers, codes or names of entries: "1 to 99999".
+    std::string_view lacking = {};  ///< Message if required values are missing; for points: empty.
     bool has_unit = false;          ///< INCH or METRIC may end a line.
     bool holds_points = false;      ///< X, Y, Z and the further axes of the machine.
     bool holds_zones = false;
     std::vector<DataField> fields = {};  ///< The positional ones first.
 
-    /// Index of the field with that (upper case) name.
+    /// Returns the index of the field with that (upper case) name.
     std::optional<std::size_t> find(std::string_view name) const;
-    /// Index of the field that is the entry's name, where there is one.
+    /// Returns the index of the field that is the entry's name, if it has one.
     std::optional<std::size_t> name_field() const;
     std::size_t positional() const;
 };
 
-/// The rules of all sections for a machine; without axes the further values of points are called AXIS4 to
+/// The rules of all sections for a machine. Without axes the further values of points are called AXIS4 to
 /// AXIS9.
 class DataRules {
   public:
@@ -88,7 +88,7 @@ class DataRules {
 };
 
 std::string_view keyword(DataSection section);
-/// The section that a keyword begins, in upper case.
+/// Returns the section that a keyword, in upper case, begins.
 std::optional<DataSection> section_named(std::string_view keyword);
 
 }  // namespace gsim::machine

@@ -1,4 +1,4 @@
-// How a document comes to hold data that a run has changed.
+// Update of a document with data that a run has changed.
 #include <cmath>
 #include <map>
 
@@ -21,7 +21,7 @@ RowsByKey by_key(const SectionRules& rules, std::vector<DataRow> rows) {
     return keyed;
 }
 
-// The shortest text of a number of inches that reads as exactly so many mm; the nearest where none does.
+// Returns the shortest text of a number of inches that reads as exactly so many mm; the nearest if none does.
 std::string inch_text(double value_mm) {
     const double inches = value_mm / kMmPerInch;
     std::string shortest;
@@ -34,7 +34,7 @@ std::string inch_text(double value_mm) {
     return shortest.empty() ? number_text(inches) : shortest;
 }
 
-// A number that is not given is 0, but for home positions: there it is one that does not exist.
+// A missing number is 0, except in home positions: there it means that the position does not exist.
 bool is_same_value(const SectionRules& rules, const DataField& field, const std::string& a,
                    const std::string& b) {
     if (a == b) return true;

@@ -12,7 +12,7 @@ int number_of(const std::string& id) {
     return parse_number<int>(id).value_or(0);
 }
 
-/// Reads and writes the values of one row by the names of their fields.
+/// Reader and writer of the values of one row by the names of their fields.
 class NamedValues {
   public:
     NamedValues(const SectionRules& rules, const DataRow& row) : rules_(rules), row_(row) {}

@@ -7,10 +7,11 @@
 
 namespace gsim::machine {
 
-/// Puts an entry that read_row() accepted into the data. Further axes of points only where they are known.
+/// Adds an entry that read_row() accepted to the data. Further axes of points only if they are known.
 void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, bool axes_known);
 
-/// The entries of a section in mm, by number, code or name. Axes of points that have no field are left out.
+/// Returns the entries of a section in mm, by number, code or name. Axes of points that have no field are
+/// omitted.
 std::vector<DataRow> rows_of(const MachineData& data, const SectionRules& rules);
 
 }  // namespace gsim::machine

@@ -10,28 +10,28 @@
 
 namespace gsim::machine {
 
-/// A word of a line of machine data: what stands between blanks, tabs and the remark.
+/// A word of a line of machine data: the text between blanks, tabs and the remark.
 struct DataWord {
     std::string_view text;
     std::size_t column = 1;  ///< In bytes, from 1.
 };
 
-/// The words of a line without its end. A remark begins with '#' or ';'.
+/// Returns the words of a line without its end. A remark begins with '#' or ';'.
 std::vector<DataWord> data_words(std::string_view line);
 
-/// Whether a text can stand in a line as one word: no more of them, no remark, no other line.
+/// True if a text can be one word of a line: not several words, no remark, no other line.
 bool is_data_word(std::string_view text);
 
-/// Upper case, ASCII only.
+/// Returns the text in upper case, ASCII only.
 std::string upper_case(std::string_view text);
 
-/// A word as messages show it: short, and without bytes that would upset a terminal.
+/// Returns a word for messages: short, and without bytes that would upset a terminal.
 std::string shown_word(std::string_view word);
 
-/// The shortest text that reads as the same number.
+/// Returns the shortest text that reads as the same number.
 std::string number_text(double value);
 
-/// The number that the whole text is; nothing where it is none.
+/// Returns the number that the complete text is, or nothing if it is not one.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
     if constexpr (std::is_floating_point_v<Number>) {

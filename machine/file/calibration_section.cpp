@@ -38,7 +38,7 @@ void read_figure(FirstError& error, const toml::table& table, std::size_t count,
     calibration.covariance_percent2.push_back(row.value_or(std::vector<double>(count)));
 }
 
-/// A covariance is symmetric, and no combination of the figures has less spread than none.
+/// A covariance is symmetric, and no combination of the parameters has a negative spread.
 bool is_covariance(const std::vector<std::vector<double>>& rows) {
     const auto count = static_cast<Eigen::Index>(rows.size());
     Eigen::MatrixXd matrix(count, count);

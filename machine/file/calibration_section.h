@@ -7,13 +7,13 @@
 
 namespace gsim::machine {
 
-/// Reads [calibration] and [[calibrated]], if there are any, into a machine whose axes and controller have
-/// been read.
+/// Reads [calibration] and [[calibrated]], if present, into a machine whose axes and controller have been
+/// read.
 void read_calibration(base::FirstError& error, base::TomlSection& file, Machine& machine);
 
 void print_calibration(base::TomlText& out, const Calibration& calibration);
 
-/// The tables as people fill them in.
+/// Returns the tables as people fill them in.
 std::vector<GuideTable> calibration_guide();
 
 }  // namespace gsim::machine

@@ -32,7 +32,7 @@ std::string unknown_model(std::string_view model) {
         text::joined(known, ", "));
 }
 
-/// Where controller files of one's own are looked for.
+/// Location in which custom controller files are searched.
 struct OwnFiles {
     const std::filesystem::path& folder;
     const os::Files& files;
@@ -55,7 +55,7 @@ rrs::ControllerRules read_own_file(TomlSection& section, const std::string& mode
     return {};
 }
 
-// What the section's other keys change. Without `own` there are no files of one's own.
+// Reads the rules that the section's other keys change. Without `own` custom files are not available.
 rrs::ControllerRules read_model(TomlSection& section, const OwnFiles* own) {
     if (!section.has(kModelKey)) return {};
     const std::string model = section.text(kModelKey);

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of TOML files alone (toml_section.h).
+// Only for readers of TOML files (toml_section.h).
 
 #include <string_view>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace gsim::machine {
 
-/// The keys of an axis that tell of its drive.
+/// Returns the keys of an axis for its drive.
 std::vector<std::string_view> drive_keys(AxisKind kind);
 
-/// What an axis says of its drive.
+/// Reads the drive of an axis.
 Drive read_drive(base::TomlSection& axis, const toml::table& table, AxisKind kind);
 
 void print_drive(base::TomlText& out, const Axis& axis);

@@ -22,7 +22,7 @@ constexpr std::array kHoseKeys{
 constexpr std::string_view kInertiaMeaning =
     "[xx, yy, zz] or [xx, yy, zz, xy, yz, zx] of the inertia tensor about the centre";
 
-// Of AccelerationLimit in its order.
+// Names of AccelerationLimit in its order.
 constexpr std::array kLimits{"axes"sv, "torque"sv};
 
 using Vector = std::array<double, 3>;
@@ -34,7 +34,7 @@ Vector read_vector(TomlSection& section, const toml::table& table, std::string_v
     return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
-/// What a mass or a hose hangs on.
+/// Reads the link to which a mass or a hose is attached.
 std::string read_link(TomlSection& section, const Machine& machine) {
     std::string on = section.text("on");
     if ((on.size() == 1 && machine.find(on[0])) || on == "tool" || on == "work") return on;
@@ -82,7 +82,7 @@ HoseTable read_hose(FirstError& error, const toml::table& table, const Machine& 
     return hose;
 }
 
-/// That nothing tells of forces where none are worked out.
+/// Checks that no key specifies forces if forces are not computed.
 void check_alone(TomlSection& file, const Machine& machine) {
     const auto fail = [&](std::string_view key, std::string_view what) {
         file.fail(key, fmt::format("{} is for forces and torques, and there is no [dynamics]", what));

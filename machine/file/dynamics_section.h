@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of TOML files alone (toml_section.h).
+// Only for readers of TOML files (toml_section.h).
 
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_text.h"
@@ -8,8 +8,8 @@
 
 namespace gsim::machine {
 
-/// Reads [dynamics], [[mass]] and [[hose]] of a machine file. The machine has its axes and shapes already;
-/// what these say of forces and masses without [dynamics] is an error.
+/// Reads [dynamics], [[mass]] and [[hose]] of a machine file. The machine has its axes and shapes already.
+/// Their forces and masses without [dynamics] are an error.
 void read_dynamics(base::FirstError& error, base::TomlSection& file, Machine& machine);
 
 void print_dynamics(base::TomlText& out, const DynamicsTable& dynamics);

@@ -7,11 +7,11 @@
 
 namespace gsim::machine {
 
-/// A frame as machine files and their kin have it: x_mm, y_mm, z_mm, roll_deg, pitch_deg and yaw_deg, each 0
-/// where it is left out, as all are without a table. `title` names the table in errors.
+/// Reads a frame of a machine file or a similar file: x_mm, y_mm, z_mm, roll_deg, pitch_deg and yaw_deg. Each
+/// is 0 if omitted, as all are without a table. `title` names the table in errors.
 Frame read_frame(base::FirstError& error, const toml::table* table, std::string title);
 
-/// A frame as the value of a key: "{ x_mm = 1.0, ... }".
+/// Returns a frame as the value of a key: "{ x_mm = 1.0, ... }".
 std::string inline_frame(const Frame& frame);
 
 }  // namespace gsim::machine

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kGroupKeys{"name"sv, "axes"sv, "motion"sv};
 constexpr std::array kMotionNames{"synchronous"sv, "coordinated"sv,
                                   "independent"sv};  // in the order of GroupMotion
-// What a pose has beside the groups: {x=, y=, z=, roll=, pitch=, yaw=}.
+// Parts of a pose in addition to the groups: {x=, y=, z=, roll=, pitch=, yaw=}.
 constexpr std::array kPartsOfPoses{"x"sv, "y"sv, "z"sv, "roll"sv, "pitch"sv, "yaw"sv};
 
 bool is_group_name(std::string_view name) {

@@ -46,13 +46,13 @@ constexpr std::array kCarriesNames{"tool"sv, "work"sv, "nothing"sv};        // o
 constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
 constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 
-// The keys of an axis, whose units go by its kind.
+// The keys of an axis; their units depend on its kind.
 struct AxisKeys {
     std::string_view title;
     std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step;
     std::array<std::string_view, kHomes> homes;
     std::string_view zero;
-    std::string_view turning;  ///< Empty where an axis of the kind has no such key.
+    std::string_view turning;  ///< Empty if an axis of the kind has no such key.
 
     std::vector<std::string_view> all(AxisKind of) const {
         std::vector<std::string_view> keys{
@@ -114,7 +114,7 @@ DhRow read_dh_row(FirstError& error, const toml::table* table) {
             .alpha_deg = number("alpha_deg")};
 }
 
-// The kind decides which keys an axis may hold, so it is read before anything else.
+// The kind decides which keys an axis may have, so it is read first.
 std::optional<AxisKind> read_axis_kind(FirstError& error, const toml::table& table) {
     const toml::node* node = table.get("kind");
     if (!node) {
@@ -161,7 +161,7 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
     }
 }
 
-// A table of joints, by rows, frames or directions.
+// Reads a table of joints, by rows, frames or directions.
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
     const bool carries_nothing = axis.carries == Carries::nothing;
     if (carries_nothing && axis.kind == AxisKind::rotary)

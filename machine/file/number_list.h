@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of TOML files alone (toml_section.h).
+// Only for readers of TOML files (toml_section.h).
 
 #include <initializer_list>
 #include <optional>
@@ -13,16 +13,16 @@
 
 namespace gsim::machine {
 
-/// The greatest number that a file may hold, either way.
+/// Largest magnitude of a number in a file, positive or negative.
 inline constexpr double kMostOfFiles = 1e9;
 
-/// The list of finite numbers under `key`; nothing where there is none. Where it holds anything else, or not
-/// as many as are allowed, that is an error, which `meaning` explains: "[x, y, z]".
+/// Returns the list of finite numbers under `key`, or nothing if the key is missing. Anything else, or a
+/// wrong number of values, is an error, which `meaning` explains: "[x, y, z]".
 std::optional<std::vector<double>> read_numbers(base::TomlSection& section, const toml::table& table,
                                                 std::string_view key, std::string_view meaning,
                                                 std::initializer_list<std::size_t> counts = {});
 
-/// Such a list as TOML has it.
+/// Returns such a list in TOML syntax.
 std::string number_list(std::span<const double> numbers);
 
 }  // namespace gsim::machine

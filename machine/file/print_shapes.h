@@ -5,9 +5,9 @@
 
 namespace gsim::machine {
 
-/// Writes the key 'ignore', which stands before all tables; nothing where there are no pairs.
+/// Writes the key 'ignore', which comes before all tables; writes nothing if no pairs exist.
 void print_ignored(base::TomlText& out, const Machine& machine);
-/// Writes a table [[shape]] for each shape, meshes with their whole path.
+/// Writes a table [[shape]] for each shape, meshes with their full path.
 void print_link_shapes(base::TomlText& out, const Machine& machine);
 
 }  // namespace gsim::machine

@@ -41,7 +41,7 @@ bool is_word_letter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// Takes a letter and its number from the front of a text.
+/// Removes a letter and its number from the front of a text and returns them.
 std::optional<std::pair<char, double>> take_word(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
     if (text.empty() || !is_word_letter(text.front())) return std::nullopt;

@@ -11,11 +11,11 @@ class TomlText;
 
 namespace gsim::machine {
 
-/// The tables [process] and [checks] of a machine file, where it has them. Whether a language has the codes
-/// is not looked at.
+/// Reads the tables [process] and [checks] of a machine file, if it has them. Does not check if a language
+/// has the codes.
 std::optional<Process> read_process(base::FirstError& error, base::TomlSection& file);
 
-/// The same tables as text.
+/// Writes the same tables as text.
 void print_process(base::TomlText& out, const Process& process);
 
 }  // namespace gsim::machine

@@ -6,10 +6,10 @@
 
 namespace gsim::machine {
 
-/// The table [program]; null: there is none.
+/// Reads the table [program]; null: it does not exist.
 ProgramTable read_program_section(base::FirstError& error, const toml::table* table);
 
-/// Writes it as it is read; nothing where it says nothing.
+/// Writes it as it is read; writes nothing if it is empty.
 void print_program_section(base::TomlText& out, const ProgramTable& program);
 
 }  // namespace gsim::machine

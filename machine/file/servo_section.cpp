@@ -15,7 +15,7 @@ using base::TomlSection;
 constexpr std::string_view kGain = "position_gain_1_s";
 constexpr double kLeastGain_1_s = 1;
 
-/// A key whose value is from 0 to 1: a share, or seconds.
+/// A key with a value from 0 to 1: a share, or seconds.
 struct ServoKey {
     std::string_view key;
     double Servo::*value;
@@ -53,7 +53,7 @@ std::optional<Servo> read_servo(TomlSection& axis) {
 
 void print_servo(base::TomlText& out, const Axis& axis) {
     if (!axis.servo) return;
-    // Even where it says nothing: that there is a loop is told by its keys.
+    // It is written even if it has no effect, because the keys define that a loop exists.
     if (axis.servo->position_gain_1_s > 0) out.number(kGain, axis.servo->position_gain_1_s);
     out.number("velocity_feed_forward", axis.servo->velocity_feed_forward);
     for (const ServoKey& key : kToOne) {

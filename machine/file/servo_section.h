@@ -1,6 +1,6 @@
 #pragma once
 
-// For the readers of TOML files alone (toml_section.h).
+// Only for readers of TOML files (toml_section.h).
 
 #include <optional>
 #include <string>
@@ -13,15 +13,15 @@
 
 namespace gsim::machine {
 
-/// The keys of an axis that tell of its servo loop.
+/// Returns the keys of an axis for its servo loop.
 std::vector<std::string_view> servo_keys();
 
-/// What an axis says of its servo loop; nothing where it has no such key.
+/// Reads the servo loop of an axis; returns nothing if it has no such key.
 std::optional<Servo> read_servo(base::TomlSection& axis);
 
 void print_servo(base::TomlText& out, const Axis& axis);
 
-/// Why the servo loops of a machine are none, as a sentence; nothing if they are.
+/// Returns why the servo loops of a machine are invalid, as a message; nothing if they are valid.
 std::optional<std::string> find_servo_fault(const Machine& machine);
 
 }  // namespace gsim::machine

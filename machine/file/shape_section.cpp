@@ -23,7 +23,7 @@ constexpr double kLongest_mm = 1e6;
 constexpr double kLeastTolerance_mm = 1e-3;
 constexpr double kGreatestTolerance_mm = 100;
 
-/// `count` lengths, each greater than 0; nothing where they are not.
+/// Reads `count` lengths, each greater than 0; returns nothing if they are not.
 std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const toml::table& table,
                                                   std::string_view key, std::size_t count,
                                                   std::string_view meaning) {

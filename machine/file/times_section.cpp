@@ -27,7 +27,7 @@ constexpr std::array kTimeKeys{TimeKey{"tool_change_s", &WordTimes::tool_change_
 constexpr std::string_view kBeforeFirstMove = "before_first_move";
 constexpr int kLastCode = 999;
 
-// The number of an M code; none where the key is no such code.
+// Returns the number of an M code; none if the key is not such a code.
 std::optional<int> code_of(std::string_view key) {
     if (key.size() < 2 || key.front() != 'M') return std::nullopt;
     int code = -1;

@@ -10,20 +10,19 @@
 
 namespace gsim::machine {
 
-/// The table [times]; null: there is none, and no word takes time.
+/// Reads the table [times]; null: it does not exist, and no word takes time.
 WordTimes read_times(base::FirstError& error, const toml::table* table);
 
-/// The time that a key of the table is for; null: it is none of the named ones, nor a code that the table
-/// has.
+/// Returns the time for a key of the table; null: it is neither a named key nor a code in the table.
 double* time_at(std::string_view key, WordTimes& times);
 const double* time_at(std::string_view key, const WordTimes& times);
 
-/// The keys of the table but those of codes.
+/// Returns the keys of the table, except those of codes.
 std::vector<std::string> named_time_keys();
-/// The keys of all times that are more than 0, those of codes behind the others.
+/// Returns the keys of all times above 0, those of codes after the others.
 std::vector<std::string> timed_keys(const WordTimes& times);
 
-/// Writes it as it is read; nothing where no word takes time.
+/// Writes it as it is read; writes nothing if no word takes time.
 void print_times(base::TomlText& out, const WordTimes& times);
 
 }  // namespace gsim::machine

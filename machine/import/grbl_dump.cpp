@@ -21,7 +21,7 @@ constexpr std::string_view kGrblModel = "grbl-1.1";
 constexpr std::string_view kLetters = "XYZABC";
 constexpr std::size_t kLeastAxes = 3;
 
-// Numbers of settings; those of axes are for X, the others follow.
+// Numbers of settings; those of axes are for X, and those of the others follow.
 constexpr int kJunctionDeviation = 11;
 constexpr int kArcTolerance = 12;
 constexpr int kReportInches = 13;
@@ -46,7 +46,7 @@ struct Point {
     int line_number = 1;
 };
 
-/// A point of `$#` by its parameters here.
+/// A point of `$#` with its parameters in gsim.
 struct StoredPoint {
     std::string_view name;
     int first;
@@ -55,7 +55,7 @@ constexpr std::array kStoredPoints{StoredPoint{"G28", 5161}, StoredPoint{"G30", 
                                    StoredPoint{"G92", 5211}};
 constexpr int kGrblG92InForce = 5210;
 
-// "110" and "5000.000 (x max rate)" of "$110=5000.000 (x max rate)".
+// Returns "110" and "5000.000 (x max rate)" of "$110=5000.000 (x max rate)".
 std::optional<std::pair<int, double>> setting_of(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (!line.starts_with('$') || equals == std::string_view::npos) return std::nullopt;
@@ -160,7 +160,7 @@ class Dump {
                                           found->second.line_number, number, letter));
     }
 
-    // After homing machine coordinates go from minus the travel to 0, whichever end the switch is at.
+    // After homing, machine coordinates run from minus the travel to 0, whichever end the switch is at.
     void take_range(int number, machine::Axis& axis) {
         axis.min = -std::numeric_limits<double>::infinity();
         axis.max = std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ class Dump {
         rules.arc_chord_tolerance_mm = value(kArcTolerance).value_or(rules.arc_chord_tolerance_mm);
     }
 
-    // "[G54:4.000,0.000,0.000]"
+    // Reads "[G54:4.000,0.000,0.000]".
     Done take_point(const Point& given) {
         const std::string& line = given.line;
         const std::size_t colon = line.find(':');

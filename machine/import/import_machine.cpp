@@ -18,7 +18,7 @@ bool is_ini(const std::filesystem::path& path) {
     return text::lower(path.extension().string()) == ".ini";
 }
 
-// A remark that nothing in it can end.
+// Returns a remark that its content cannot terminate.
 std::string remark(std::string_view text) {
     std::string line = "# ";
     for (const char c : text) line += text::is_printable({&c, 1}) ? c : ' ';
@@ -36,7 +36,7 @@ tl::expected<Imported, std::string> import_machine(std::string_view text, const 
                                                    const os::Files& files) {
     auto imported = is_ini(path) ? import_linuxcnc(text, path, files) : import_grbl(text, path.string());
     if (!imported) return imported;
-    // What a machine file may not say no planner can do either.
+    // A planner cannot use values that a machine file may not contain.
     if (const auto toml = machine_toml(*imported, path); !toml) return tl::unexpected(toml.error());
     return imported;
 }
@@ -52,7 +52,7 @@ tl::expected<std::string, std::string> machine_toml(const Imported& imported,
     constexpr std::string_view kName = "machine";
     const auto machine = machine::read_machine(toml, kName);
     if (machine) return toml;
-    // Its lines are those of a file that nobody has seen.
+    // Its line numbers refer to a file that no user has seen.
     const std::string sentence = machine.error().substr(machine.error().find(": ") + 2);
     return tl::unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), sentence));
 }

@@ -8,13 +8,13 @@
 
 namespace gsim::import {
 
-/// What the settings of a control became.
+/// Result of importing the settings of a controller.
 struct Imported {
     machine::Machine machine;
     machine::MachineData data;          ///< Offsets, tools, variables.
     bool has_data = false;              ///< There were files of them, or lines.
-    std::vector<std::string> warnings;  ///< What is not taken over, and changes places or times: sentences.
-    std::vector<std::string> left_out;  ///< All else that is not taken over, by name.
+    std::vector<std::string> warnings;  ///< Messages: settings not taken over that change positions or times.
+    std::vector<std::string> left_out;  ///< Other settings not taken over, by name.
 };
 
 }  // namespace gsim::import

@@ -20,7 +20,7 @@ bool same_name(std::string_view a, std::string_view b) {
     return text::upper(a) == text::upper(b);
 }
 
-// What stands behind a value as a remark, as many write it.
+// Returns the value without the remark that many write after it.
 std::string_view without_remark(std::string_view value) {
     for (std::size_t at = 1; at < value.size(); ++at) {
         const bool blank_before = value[at - 1] == ' ' || value[at - 1] == '\t';
@@ -29,7 +29,7 @@ std::string_view without_remark(std::string_view value) {
     return value;
 }
 
-// Lines as they count: those that end in a backslash go on in the next one.
+// The lines as they count: a line that ends in a backslash continues in the next one.
 class Lines {
   public:
     explicit Lines(std::string_view text) : text_(text) {}

@@ -23,29 +23,30 @@ struct IniEntry {
     bool taken = false;  ///< Somebody has asked for it.
 };
 
-/// An INI file as LinuxCNC writes it: [SECTION], KEY = VALUE, remarks in lines of their own, `\` at the end
-/// of a line that goes on. Sections and keys are found whatever their case. It remembers what was asked for.
+/// An INI file as LinuxCNC writes it: [SECTION], KEY = VALUE, remarks on separate lines, `\` at the end of a
+/// line that continues. Sections and keys are found whatever their case. It records the queried entries.
 class IniFile {
   public:
-    /// `path` is for errors, and for files that `#INCLUDE NAME` puts in its place, which are looked for in
-    /// its folder. The error is "file:line: sentence".
+    /// Reads a file. `path` is for errors, and for files that `#INCLUDE NAME` inserts, which are searched in
+    /// its folder. The error is "file:line: message".
     static tl::expected<IniFile, std::string> read(std::string_view text, const std::filesystem::path& path,
                                                    const os::Files& files);
 
     const std::string& file_name() const { return file_name_; }
     bool has_section(std::string_view section) const;
-    /// The first entry of that name, which counts as taken from now on; null where there is none.
+    /// Returns the first entry of that name, which counts as taken from now on; null if it does not exist.
     const IniEntry* find(std::string_view section, std::string_view key);
     std::optional<std::string> text(std::string_view section, std::string_view key);
-    /// A number; nothing where there is none. What is no number is an error, "file:line: sentence".
+    /// Returns a number, or nothing if the entry does not exist. A value that is not a number is an error,
+    /// "file:line: message".
     tl::expected<std::optional<double>, std::string> number(std::string_view section, std::string_view key);
-    /// "file:line: sentence".
+    /// Returns "file:line: message".
     std::string at(const IniEntry& entry, std::string_view sentence) const;
     const std::vector<IniEntry>& entries() const { return entries_; }
 
   private:
     using Done = tl::expected<void, std::string>;
-    /// Where an included file stands.
+    /// Position of an included file.
     struct Inclusion {
         const os::Files& files;
         std::string& section;
@@ -59,13 +60,13 @@ class IniFile {
     std::size_t included_ = 0;  ///< Files, counted as often as they are.
 };
 
-/// A number of such a file, whole: nothing where `text` is none.
+/// Returns a number of such a file if it is the complete `text`, else nothing.
 std::optional<double> plain_number(std::string_view text);
 
-/// To 1e-9: 3 inches are 76.2 mm, not 76.19999999999999.
+/// Returns the value rounded to 1e-9: 3 inches are 76.2 mm, not 76.19999999999999.
 double without_noise(double value);
 
-/// Without blanks at both ends.
+/// Returns the text without blanks at both ends.
 std::string_view trimmed_text(std::string_view text);
 
 }  // namespace gsim::import

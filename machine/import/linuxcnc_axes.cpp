@@ -17,10 +17,9 @@ namespace gsim::import {
 namespace {
 
 constexpr std::string_view kTrivial = "trivkins";
-constexpr std::string_view kLettersOfJoints = "XYZABCUVW";  // where the kinematics name none
+constexpr std::string_view kLettersOfJoints = "XYZABCUVW";  // if the kinematics name none
 constexpr double kEndless = 1e9;                            // what LinuxCNC has for no limit is 1e99
-constexpr double kSpeedOfSilence =
-    1;  // units/s, where an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
+constexpr double kSpeedOfSilence = 1;  // units/s, if an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
 
 template <typename T>
 using Read = tl::expected<T, std::string>;
@@ -34,7 +33,7 @@ machine::AxisDirection direction_of(char letter) {
     return static_cast<machine::AxisDirection>(kLettersOfJoints.find(letter) % kThree);
 }
 
-// Letters of a value such as "X Y Z" or "XYZ", in capitals.
+// Returns the letters of a value such as "X Y Z" or "XYZ", in capitals.
 std::string letters_of(std::string_view value) {
     std::string letters;
     for (const char c : text::upper(value)) {
@@ -51,7 +50,7 @@ std::string without_repeats(const std::string& letters) {
     return once;
 }
 
-// What KINEMATICS = trivkins coordinates=XYYZ kinstype=BOTH says: the letter of each joint.
+// Returns the letter of each joint, from KINEMATICS = trivkins coordinates=XYYZ kinstype=BOTH.
 Read<std::string> letters_of_joints(IniFile& ini) {
     const IniEntry* entry = ini.find("KINS", "KINEMATICS");
     if (entry == nullptr) return std::string(kLettersOfJoints);
@@ -79,7 +78,7 @@ Read<double> unit_of(IniFile& ini, std::string_view key, std::initializer_list<U
     const IniEntry* entry = ini.find("TRAJ", key);
     if (entry == nullptr) return 1.0;
     const std::string name = text::lower(entry->value);
-    // A number is how many of them make a mm, or a degree.
+    // A number gives how many units make a mm, or a degree.
     if (const auto per_unit = plain_number(name); per_unit && *per_unit > 0) return 1 / *per_unit;
     std::string names;
     for (const Unit& unit : units) {
@@ -89,7 +88,7 @@ Read<double> unit_of(IniFile& ini, std::string_view key, std::initializer_list<U
     return tl::unexpected(ini.at(*entry, fmt::format("{} is '{}'; there are {}", key, entry->value, names)));
 }
 
-/// What one section [AXIS_X] or [JOINT_0] limits, in mm or deg.
+/// Limits from one section [AXIS_X] or [JOINT_0], in mm or deg.
 struct Limits {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -103,7 +102,8 @@ struct Limits {
         max = std::min(max, other.max);
         speed = std::min(speed, other.speed);
         acceleration = std::min(acceleration, other.acceleration);
-        // LinuxCNC's planner takes an axis without one for one without a limit, whatever its joints have.
+        // LinuxCNC's planner treats an axis without a jerk limit as unlimited, whatever limits its joints
+        // have.
         if (std::isfinite(jerk)) jerk = std::min(jerk, other.jerk);
     }
 };
@@ -139,7 +139,7 @@ class AxisReader {
     }
 
   private:
-    // Up to version 2.7 joints stood in sections [AXIS_0].
+    // Up to version 2.7 joints were in sections [AXIS_0].
     std::string section_of(std::size_t joint) const {
         const std::string now = fmt::format("JOINT_{}", joint);
         return ini_.has_section(now) ? now : fmt::format("AXIS_{}", joint);

@@ -16,12 +16,12 @@ struct IniUnits {
     double angular_deg = 1;  ///< deg of an angular one.
 };
 
-/// The units of [TRAJ]. The error is "file:line: sentence".
+/// Returns the units of [TRAJ]. The error is "file:line: message".
 tl::expected<IniUnits, std::string> read_units(IniFile& ini);
 
-/// The axes of a machine with trivial kinematics, in the order of [TRAJ] COORDINATES: each has the narrower
-/// of the limits of its section [AXIS_..] and of its joints. `warnings` gets what cannot be taken as it
-/// stands. The error is "file:line: sentence", as for other kinematics.
+/// Returns the axes of a machine with trivial kinematics, in the order of [TRAJ] COORDINATES. Each has the
+/// narrower of the limits of its section [AXIS_..] and of its joints. `warnings` receives settings that
+/// cannot be used as they are. The error is "file:line: message", as for other kinematics.
 tl::expected<std::vector<machine::Axis>, std::string> read_axes(IniFile& ini, const IniUnits& units,
                                                                 std::vector<std::string>& warnings);
 

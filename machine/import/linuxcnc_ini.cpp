@@ -26,7 +26,7 @@ constexpr double kSilentJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
 constexpr double kPercent = 100;
 constexpr double kNanosecond_s = 1e-9;
 
-/// A parameter of the planner that is built in with this value.
+/// A planner parameter that is built in with this value.
 struct FixedValue {
     std::string_view section;
     std::string_view key;
@@ -72,8 +72,8 @@ class Importer {
 
     void take_name() {
         result_.machine.name = ini_.text("EMC", "MACHINE").value_or("LinuxCNC");
-        ini_.find("EMC", "VERSION");  // of the file's own form
-        // Three slides have an inverse whatever else; where rotary axes lie the file does not say.
+        ini_.find("EMC", "VERSION");  // version of the file's format
+        // Three slides have an inverse in any case; the file does not give the positions of rotary axes.
         const auto linear = [](const machine::Axis& axis) { return axis.kind == machine::AxisKind::linear; };
         const bool slides = result_.machine.axes.size() == 3 && letters() == "XYZ" &&
                             std::all_of(result_.machine.axes.begin(), result_.machine.axes.end(), linear);
@@ -86,7 +86,7 @@ class Importer {
         return letters;
     }
 
-    // RS274NGC_STARTUP_CODE runs before each program; of it the units are known here.
+    // RS274NGC_STARTUP_CODE runs before each program; only its units are known here.
     void take_units() {
         result_.machine.program.dialect = "linuxcnc";
         if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
@@ -102,7 +102,7 @@ class Importer {
             *startup));
     }
 
-    // A number of [TRAJ] by the first of two names, of which the second is that of older versions.
+    // Reads a number of [TRAJ] by the first of two names; the second is the name in older versions.
     tl::expected<std::optional<double>, std::string> of_path(std::string_view key, std::string_view older) {
         auto value = ini_.number("TRAJ", key);
         if (value && !value->has_value()) return ini_.number("TRAJ", older);
@@ -131,7 +131,7 @@ class Importer {
         return {};
     }
 
-    // Shares of 1.
+    // The values are shares of 1.
     Done take_overrides(rrs::OverrideRules& overrides) {
         for (const auto& [key, percent] : {std::pair{"MAX_FEED_OVERRIDE", &overrides.feed_max_percent},
                                            {"MIN_SPINDLE_OVERRIDE", &overrides.spindle_min_percent},
@@ -144,7 +144,7 @@ class Importer {
         return {};
     }
 
-    // PLANNER_TYPE is a word of 2.10.
+    // PLANNER_TYPE is a key of 2.10.
     Done take_release(rrs::ControllerRules& rules) {
         const auto planner = ini_.number("TRAJ", "PLANNER_TYPE");
         if (!planner) return tl::unexpected(planner.error());
@@ -184,7 +184,8 @@ class Importer {
         if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
-        constexpr double kMostBlocks = 1e6;  // beyond what a machine file may say, and within a whole number
+        constexpr double kMostBlocks =
+            1e6;  // above the max of a machine file, and within the range of an integer
         if (*depth && **depth >= 1)
             rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMostBlocks));
         if (auto taken = take_overrides(rules.overrides); !taken) return taken;
@@ -199,7 +200,8 @@ class Importer {
         return {};
     }
 
-    // The text of a file that the INI file names; nothing where it names none, or it is not there.
+    // Returns the text of a file that the INI file names; nothing if it names none, or the file does not
+    // exist.
     std::optional<std::pair<std::string, std::string>> named_file(std::string_view section,
                                                                   std::string_view key) {
         const auto name = ini_.text(section, key);
@@ -234,7 +236,7 @@ class Importer {
         return done;
     }
 
-    // What nobody asked for, by sections.
+    // Lists the entries that were not queried, by sections.
     void leave_out() {
         std::vector<std::pair<std::string, std::string>> sections;
         for (const IniEntry& entry : ini_.entries()) {

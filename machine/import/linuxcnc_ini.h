@@ -12,8 +12,8 @@
 namespace gsim::import {
 
 /// Reads the INI file of a LinuxCNC machine with trivial kinematics (trivkins): axes, joints, limits, units,
-/// homes, the parameters of its planner; and the files of parameters and tools that it names, which are
-/// looked for in its folder. The error is "file:line: sentence".
+/// homes, the parameters of its planner. It also reads the files of parameters and tools that it names, which
+/// are searched in its folder. The error is "file:line: message".
 tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
                                                     const os::Files& files = os::disk());
 

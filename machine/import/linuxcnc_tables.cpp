@@ -35,7 +35,7 @@ bool turns(char letter) {
     return letter >= 'A' && letter <= 'C';
 }
 
-// Calls take(line, number) for each line with something in it, until it gives an error.
+// Calls take(line, number) for each line with content, until it returns an error.
 template <typename Take>
 tl::expected<void, std::string> each_line(std::string_view text, std::string_view file_name, Take take) {
     std::size_t at = 0;
@@ -88,7 +88,7 @@ class Parameters {
         return found == values_.end() ? 0 : found->second;
     }
 
-    // Whether the machine has the axis of a value; one that it lacks is told, if it is not 0.
+    // True if the machine has the axis of a value; reports a missing axis if the value is not 0.
     bool has_axis(char letter, double of, std::string_view what) {
         if (axes_.find(letter) != std::string_view::npos) return true;
         if (of != 0)

@@ -10,19 +10,19 @@
 
 namespace gsim::import {
 
-/// What reading a table has to tell beside its data.
+/// Notes from reading a table, in addition to its data.
 struct TableNotes {
     std::vector<std::string> left_out;  ///< By name.
 };
 
 /// Takes over a file of parameters (.var): the work coordinate systems with their rotation, the G92 offset,
 /// G28 and G30, and the variables of programs. `unit_mm` is that of its lengths; `axes` are the letters of
-/// the machine. The error is "file:line: sentence".
+/// the machine. The error is "file:line: message".
 tl::expected<void, std::string> take_parameters(std::string_view text, std::string_view file_name,
                                                 double unit_mm, std::string_view axes,
                                                 machine::MachineData& data, TableNotes& notes);
 
-/// The same of a tool table (.tbl): lengths, diameters, offsets, angles and orientations.
+/// Takes over a tool table (.tbl) in the same manner: lengths, diameters, offsets, angles and orientations.
 tl::expected<void, std::string> take_tools(std::string_view text, std::string_view file_name, double unit_mm,
                                            std::string_view axes, machine::MachineData& data,
                                            TableNotes& notes);

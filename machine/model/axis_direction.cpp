@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kDirections = 3;
 
-// Which of x, y and z.
+// Returns the index of x, y and z.
 Eigen::Index index_of(AxisDirection direction) {
     return static_cast<Eigen::Index>(direction) % kDirections;
 }
@@ -27,7 +27,7 @@ AxisDirection opposite(AxisDirection direction) {
     return static_cast<AxisDirection>((static_cast<int>(direction) + kDirections) % (2 * kDirections));
 }
 
-// Whole numbers throughout, so that values of axes come out as clean coordinates.
+// Integers throughout, so that values of axes give clean coordinates.
 rrs::CartPos turned_to(AxisDirection direction) {
     rrs::CartPos frame = rrs::CartPos::Identity();
     const Eigen::Index z = index_of(direction);

@@ -7,16 +7,16 @@
 
 namespace gsim::machine {
 
-/// A way along one of the axes of a frame, or a turn about it by the right-hand rule.
+/// A direction along one of the axes of a frame, or a turn about it by the right-hand rule.
 enum class AxisDirection { x, y, z, minus_x, minus_y, minus_z };
 
-/// As machine files have them, in the order of AxisDirection.
+/// Names in machine files, in the order of AxisDirection.
 inline constexpr std::array<std::string_view, 6> kDirectionNames{"x", "y", "z", "-x", "-y", "-z"};
 
 std::string_view name(AxisDirection direction);
 AxisDirection opposite(AxisDirection direction);
 
-/// A frame at the same place whose Z points along `direction`.
+/// Returns a frame at the same position with Z along `direction`.
 rrs::CartPos turned_to(AxisDirection direction);
 
 }  // namespace gsim::machine

@@ -7,24 +7,24 @@
 
 namespace gsim::machine {
 
-/// What moves an axis, seen at the axis: N and kg of a linear one, Nm and kg m2 of a rotary one. Forces and
-/// torques count in the sense of its value.
+/// The drive of an axis, seen at the axis: N and kg for a linear one, Nm and kg m2 for a rotary one. Forces
+/// and torques count in the sense of its value.
 struct Drive {
     double coulomb = 0;        ///< Friction whatever the speed.
     double viscous = 0;        ///< Friction for each mm/s (N) or deg/s (Nm).
-    double rotor = 0;          ///< What turns with the motor, as a mass or moment at the axis.
-    double counterweight = 0;  ///< What a balance takes off the motor.
-    double peak = std::numeric_limits<double>::infinity();        ///< The most that the motor brings up,
+    double rotor = 0;          ///< Inertia that turns with the motor, as a mass or moment at the axis.
+    double counterweight = 0;  ///< Load that a balance takes off the motor.
+    double peak = std::numeric_limits<double>::infinity();        ///< Max force or torque of the motor,
     double continuous = std::numeric_limits<double>::infinity();  ///< and what it does as a root mean square.
-    /// Speeds (mm/s or deg/s), each above the one before, and what the motor brings up there, straight in
-    /// between; beyond the last one nothing. Empty: `peak` at all speeds.
+    /// Speeds (mm/s or deg/s), each above the one before, and the motor's max there, linear in between; 0
+    /// beyond the last one. Empty: `peak` at all speeds.
     std::vector<double> curve_speeds = {};
     std::vector<double> curve_peaks = {};
 
     bool operator==(const Drive&) const = default;
 };
 
-/// A mass that goes with a link.
+/// A mass that moves with a link.
 struct LinkMass {
     std::string on;  ///< The letter of an axis, "tool" or "work".
     double mass_kg = 0;
@@ -48,13 +48,13 @@ struct HoseTable {
 
 inline constexpr double kDownwards_m_s2 = -9.80665;  // standard gravity, CGPM 1901
 
-/// What limits accelerations.
+/// Source of the limits of accelerations.
 enum class AccelerationLimit {
     axes,    ///< max_acceleration of each axis.
-    torque,  ///< What the motors' peaks allow at the places and speeds of each move.
+    torque,  ///< Motor peaks at the positions and speeds of each move.
 };
 
-/// What forces and torques come of, beside the drives of the axes and the densities of shapes.
+/// Causes of forces and torques, other than the drives of the axes and the densities of shapes.
 struct DynamicsTable {
     std::array<double, 3> gravity_m_s2{0, 0, kDownwards_m_s2};  ///< In the world.
     std::vector<LinkMass> masses = {};

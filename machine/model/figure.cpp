@@ -61,7 +61,7 @@ double Axis::*member_of_axis(const Axis& axis, std::string_view key) {
     return nullptr;
 }
 
-/// Where the figure is in a machine: all its places. None where one of them is missing.
+/// Returns all positions of the parameter in a machine; none if one of them is missing.
 template <typename AMachine>
 auto places_of(const Figure& figure, AMachine& machine) {
     std::vector<decltype(&machine.path.max_feed_mm_s)> places;

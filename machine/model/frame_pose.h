@@ -5,7 +5,7 @@
 
 namespace gsim::machine {
 
-/// A frame as a matrix, in mm.
+/// Returns a frame as a matrix, in mm.
 rrs::CartPos frame_pose(const Frame& frame);
 
 }  // namespace gsim::machine

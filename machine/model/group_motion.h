@@ -6,7 +6,7 @@
 
 namespace gsim::machine {
 
-/// "synchronous", "coordinated" or "independent".
+/// Returns "synchronous", "coordinated" or "independent".
 std::string_view name(GroupMotion motion);
 
 }  // namespace gsim::machine

@@ -7,8 +7,8 @@
 
 namespace gsim::machine {
 
-/// Home positions 2 to 4 by number, in machine coordinates: `stored` ones, as machine data has them, and
-/// where these have no value for an axis, that of the machine file.
+/// Returns home positions 2 to 4 by number, in machine coordinates: those in `stored`, as machine data has
+/// them. If these have no value for an axis, that of the machine file is used.
 std::map<int, AxisValues> further_homes(const Machine& machine, const std::map<int, AxisValues>& stored);
 
 }  // namespace gsim::machine

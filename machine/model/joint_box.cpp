@@ -15,7 +15,7 @@ constexpr double kLeastReach_mm = 1000;
 constexpr std::array<int, rrs::kMaxJoints> kPrimes{2,  3,  5,  7,  11, 13, 17, 19,
                                                    23, 29, 31, 37, 41, 43, 47, 53};
 
-// The digits of a number in a base, mirrored at the point.
+// Returns the digits of a number in a base, mirrored at the point.
 double radical_inverse(int number, int base) {
     double value = 0;
     double digit = 1.0 / base;

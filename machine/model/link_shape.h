@@ -21,7 +21,7 @@ struct CylinderShape {
     bool operator==(const CylinderShape&) const = default;
 };
 
-/// The same with half a sphere at each end, which the height does not count.
+/// The same with half a sphere at each end, which the height does not include.
 struct CapsuleShape {
     double diameter_mm, height_mm;
     bool operator==(const CapsuleShape&) const = default;
@@ -32,7 +32,7 @@ struct SphereShape {
     bool operator==(const SphereShape&) const = default;
 };
 
-/// A surface of triangles in a file of its own; coordinates times `scale` are mm.
+/// A surface of triangles in a separate file; coordinates times `scale` are mm.
 struct MeshShape {
     std::filesystem::path file;
     double scale = 1;
@@ -40,7 +40,7 @@ struct MeshShape {
     bool operator==(const MeshShape&) const = default;
 };
 
-/// What a body looks like, as files describe it.
+/// Form of a body, as files describe it.
 using ShapeForm = std::variant<BoxShape, CylinderShape, CapsuleShape, SphereShape, MeshShape>;
 
 /// A body of the machine itself.
@@ -49,7 +49,7 @@ struct LinkShape {
     std::string on;  ///< "base", the letter of an axis, "tool", "work", or "jet": on the tool while it cuts.
     ShapeForm form;
     Frame frame;               ///< From what it is on to the shape.
-    double density_kg_m3 = 0;  ///< Of its mass; 0: it has none, or another one tells it.
+    double density_kg_m3 = 0;  ///< Density for its mass; 0: it has none, or it is given elsewhere.
 
     bool operator==(const LinkShape&) const = default;
 };

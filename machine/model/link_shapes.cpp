@@ -24,7 +24,7 @@ bool is_axis(const Machine& machine, std::string_view name) {
     return name.size() == 1 && machine.find(name[0]);
 }
 
-// The names that cells know the machine's frames by.
+// True if cells use this name for one of the machine's frames.
 bool is_frame(const Machine& machine, std::string_view name) {
     return name == "world" || name == "base" || name == "tool" || name == "work" || is_axis(machine, name);
 }
@@ -93,7 +93,7 @@ class ShapeReader {
     const std::filesystem::path& folder_;
     const os::Files& files_;
     Machine& machine_;
-    std::vector<unsigned> lines_;  ///< Of the shapes' names.
+    std::vector<unsigned> lines_;  ///< Lines of the shapes' names.
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr double kTurn_deg = 360;
 constexpr double kTurnTolerance = 1e-9;  // of a turn
 
-// The joint stands behind a turn that is taken back behind it: frames on both sides lie alike.
+// The joint follows a turn that is reversed after it, so frames on both sides are aligned.
 kinematics::Link directed_link(const Axis& axis, int joint, rrs::JointKind kind) {
     const bool work = axis.carries == Carries::work;
     const rrs::CartPos turn = turned_to(work ? opposite(*axis.direction) : *axis.direction);
@@ -63,7 +63,7 @@ std::vector<kinematics::JointRange> ranges(const Machine& machine) {
     return list;
 }
 
-// What the inverse leaves where the program has it.
+// Returns the joints that the inverse does not change.
 std::vector<int> held_joints(const Machine& machine) {
     std::vector<int> joints;
     for (const AxisGroup& group : machine.groups) {
@@ -84,7 +84,7 @@ Made make(const Machine& machine) {
     return std::make_shared<kinematics::ChainKinematics>(chain(machine));
 }
 
-// Of the angles that differ from `angle` in whole turns the least that is not below `least`.
+// Returns the smallest angle that is not below `least` and differs from `angle` by full turns.
 double raised_to(double angle, double least) {
     return angle + kTurn_deg * std::ceil((least - angle) / kTurn_deg);
 }
@@ -99,7 +99,7 @@ double shortest_target(const Axis& axis, double value, double now, double origin
     return closest;
 }
 
-// A reading that rounding has left just below a whole turn has made it.
+// A reading that rounding has left just below a full turn counts as that turn.
 double whole_turns(double angle_deg) {
     return std::floor(angle_deg / kTurn_deg + kTurnTolerance);
 }

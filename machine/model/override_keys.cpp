@@ -46,7 +46,7 @@ constexpr auto kOverrideKeys = [] {
     return keys;
 }();
 
-/// Rising values above 0 and up to 100.
+/// Reads rising values above 0 and up to 100.
 std::vector<double> read_rapid_percents(TomlSection& section, const std::vector<double>& fallback) {
     if (!section.has(kRapidPercents)) return fallback;
     const toml::array* array = section.require(kRapidPercents)->as_array();

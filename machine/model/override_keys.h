@@ -11,12 +11,12 @@ class TomlSection;
 
 namespace gsim::machine {
 
-/// The table of a controller section that says what the control takes of its operator's overrides.
+/// The table of a controller section for the permitted overrides of the operator.
 inline constexpr std::string_view kOverridesKey = "overrides";
 
-/// Reads it over what `rules` have.
+/// Reads it; its values replace those of `rules`.
 void read_overrides(base::TomlSection& controller, rrs::ControllerRules& rules);
-/// Prints, as one line, in what `rules` differ from `base`.
+/// Prints, as one line, the differences of `rules` from `base`.
 void print_overrides(base::TomlText& out, const rrs::ControllerRules& rules,
                      const rrs::ControllerRules& base);
 

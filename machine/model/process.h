@@ -7,22 +7,22 @@
 
 namespace gsim::machine {
 
-/// What the tool works with.
+/// Type of process of the tool.
 enum class ProcessKind { jet, plasma, laser, spindle };
 std::string_view name(ProcessKind kind);
 
-/// A code of part programs that switches the process; only where these words stand with it, where there are
-/// any.
+/// A code of part programs that switches the process. If words are listed, it switches only in combination
+/// with these words.
 struct SwitchWord {
-    int code = 0;                  ///< Of an M code: 62 of M62.
+    int code = 0;                  ///< For an M code: 62 of M62.
     std::map<char, double> words;  ///< By upper case letter: P 0.
 
-    /// "M62 P0"
+    /// Returns the text "M62 P0".
     std::string text() const;
     bool operator==(const SwitchWord&) const = default;
 };
 
-/// What a run looks for where the machine's process is known.
+/// Checks of a run, if the machine's process is known.
 struct ProcessChecks {
     bool rapid_with_process_on = true;
     bool dwell_with_process_on = true;
@@ -33,7 +33,7 @@ struct ProcessChecks {
     bool operator==(const ProcessChecks&) const = default;
 };
 
-/// What a machine works with, and what switches it (docs/machine-file.md).
+/// The process of a machine, and the words that switch it (docs/machine-file.md).
 struct Process {
     ProcessKind kind = ProcessKind::jet;
     std::vector<SwitchWord> on;

@@ -11,20 +11,20 @@ namespace gsim::machine {
 /// The unit of lengths in part programs.
 enum class ProgramUnits { mm, inch };
 
-/// mm of a program unit: 1 or 25.4.
+/// Returns the mm of a program unit: 1 or 25.4.
 double unit_mm(ProgramUnits units);
 
-/// What a machine file says of the programs that its control is given: the table [program].
+/// Data of a machine file about the programs for its controller: the table [program].
 struct ProgramTable {
-    std::string dialect = {};  ///< A language or a control, as --dialect takes them; empty: not said.
-    /// In force when a program begins; none: not said, which is mm.
+    std::string dialect = {};  ///< A language or a controller, as --dialect takes them; empty: not given.
+    /// Active when a program begins; none: not given, which is mm.
     std::optional<ProgramUnits> units = std::nullopt;
 
     bool operator==(const ProgramTable&) const = default;
 };
 
-/// Reads that table alone: of all else in the file only that it is TOML. The error is "file:line:column:
-/// sentence".
+/// Reads only that table; of the remaining file it only checks that it is TOML. The error is
+/// "file:line:column: message".
 tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
                                                            std::string_view file_name);
 

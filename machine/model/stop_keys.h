@@ -12,15 +12,15 @@ class TomlSection;
 
 namespace gsim::machine {
 
-/// The table of a controller section that says which words stop the control.
+/// The table of a controller section for the words that stop the controller.
 inline constexpr std::string_view kStopsKey = "stops";
 
-/// The words that it may have.
+/// Returns the words that it may have.
 std::span<const std::string_view> stop_words();
 
-/// Reads it over what `rules` have.
+/// Reads it; its values replace those of `rules`.
 void read_stops(base::TomlSection& controller, rrs::ControllerRules& rules);
-/// Prints, as one line, in what `rules` differ from `base`.
+/// Prints, as one line, the differences of `rules` from `base`.
 void print_stops(base::TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
 
 }  // namespace gsim::machine

@@ -7,13 +7,14 @@
 
 namespace gsim::machine {
 
-/// Whether the peaks of its motors limit the accelerations of a machine (`limit = "torque"`).
+/// True if the peaks of its motors limit the accelerations of a machine (`limit = "torque"`).
 bool is_torque_limited(const Machine& machine);
 
-/// Whether an axis says what its motor brings up.
+/// True if an axis gives the force or torque of its motor.
 bool has_motor(const Axis& axis);
 
-/// Why that cannot be, as a sentence that names the key; nothing where it can, or is not asked for.
+/// Returns why that is impossible, as a message that names the key; nothing if it is possible, or not
+/// requested.
 std::optional<std::string> find_torque_limit_fault(const Machine& machine);
 
 }  // namespace gsim::machine

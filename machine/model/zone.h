@@ -23,11 +23,11 @@ struct ZoneLimits {
 struct Zone {
     int number = 1;
     ZoneKind kind = ZoneKind::enter_forbidden;
-    /// Of X, Y and Z; an axis without limits has no walls, so that a zone with two of them is an area
-    /// whatever the third axis does. One axis at least has limits.
+    /// Limits of X, Y and Z; an axis without limits has no walls. So a zone with two of them is an area,
+    /// whatever the third axis does. At least one axis has limits.
     std::array<std::optional<ZoneLimits>, 3> limits = {};
     bool active_at_start = true;
-    /// The number by which a program switches the zone on and off; none: it stays as it is at the start.
+    /// The number by which a program switches the zone on and off; none: it stays as at the start.
     std::optional<int> switch_number = {};
 
     bool operator==(const Zone&) const = default;

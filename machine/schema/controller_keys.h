@@ -12,19 +12,19 @@ class TomlText;
 
 namespace gsim::machine {
 
-/// Where the values come from that the other keys change.
+/// Source of the values that the other keys change.
 inline constexpr std::string_view kModelKey = "model";
 
-/// How the tool turns; not every machine can do each.
+/// Orientation rule of the tool; not every machine supports each.
 inline constexpr std::string_view kOrientationKey = "orientation";
 
-/// The keys that a table [controller] may hold, kModelKey among them (docs/machine-file.md).
+/// Returns the keys that a table [controller] may hold, including kModelKey (docs/machine-file.md).
 std::span<const std::string_view> controller_keys();
 
-/// Sets what `section` gives, but for the model.
+/// Sets the values in `section`, except the model.
 void read_controller_keys(base::TomlSection& section, rrs::ControllerRules& rules);
 
-/// Writes what is another value in `rules` than in `base`, but for the model.
+/// Writes the values of `rules` that differ from `base`, except the model.
 void print_controller_keys(base::TomlText& out, const rrs::ControllerRules& rules,
                            const rrs::ControllerRules& base);
 

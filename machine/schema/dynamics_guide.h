@@ -6,11 +6,11 @@
 
 namespace gsim::machine {
 
-/// The keys of an axis that tell of its drive.
+/// Returns the keys of an axis for its drive.
 std::vector<GuideKey> drive_guide(bool rotary);
-/// Those that tell of its servo loop.
+/// Returns the keys for its servo loop.
 std::vector<GuideKey> servo_guide();
-/// The tables of a machine file that tell of forces and torques alone.
+/// Returns the tables of a machine file that are only for forces and torques.
 std::vector<GuideTable> dynamics_guide();
 
 }  // namespace gsim::machine

@@ -11,7 +11,7 @@ struct Suffix {
     std::string_view end;
     std::string_view unit;
 };
-// The first that fits counts.
+// The first match is used.
 constexpr std::array kSuffixes{Suffix{"_n_per_mm_s", "N/(mm/s)"},
                                Suffix{"_nm_per_deg_s", "Nm/(deg/s)"},
                                Suffix{"_n_per_mm", "N/mm"},

@@ -9,17 +9,17 @@
 
 namespace gsim::machine {
 
-/// What stands behind a key.
+/// Type of the value of a key.
 enum class KeyKind : std::uint8_t { number, text, truth, list, table };
 
-/// Which numbers a key takes.
+/// Permitted numbers of a key.
 struct NumberRange {
     double least = -1e9;
     double greatest = 1e9;
-    bool above_least = false;     ///< The least itself is none of them.
+    bool above_least = false;     ///< The least itself is not permitted.
     bool below_greatest = false;  ///< Nor is the greatest.
     bool or_zero = false;         ///< 0 is one of them, too,
-    bool or_infinite = false;     ///< or "inf" (and "-inf" where `least` is below 0).
+    bool or_infinite = false;     ///< or "inf" (and "-inf" if `least` is below 0).
     bool whole = false;
 };
 inline constexpr NumberRange kFinite{};
@@ -36,14 +36,14 @@ struct GuideKey {
     std::string name;
     KeyKind kind = KeyKind::number;
     std::string meaning = {};
-    NumberRange range = {};              ///< Of a number, and of the numbers of a list.
-    KeyKind elements = KeyKind::number;  ///< Of a list.
-    std::size_t count = 0;               ///< How many a list has; 0: any.
-    std::string fallback = {};  ///< What holds without the key, as it is written; empty: see `meaning`.
-    std::vector<std::string> choices = {};  ///< Of a text.
+    NumberRange range = {};              ///< For a number, and for the numbers of a list.
+    KeyKind elements = KeyKind::number;  ///< Elements of a list.
+    std::size_t count = 0;               ///< Length of a list; 0: any.
+    std::string fallback = {};           ///< Value without the key, as it is written; empty: see `meaning`.
+    std::vector<std::string> choices = {};  ///< For a text.
     bool open = false;                      ///< There are others than these choices.
     bool required = false;
-    bool many = false;  ///< `name` is the first of the keys that the meaning tells.
+    bool many = false;  ///< `name` is the first of the keys that the meaning lists.
 };
 
 /// A table of a file.
@@ -52,12 +52,12 @@ struct GuideTable {
     bool many = false;            ///< [[axis]]: there may be several.
     std::string meaning = {};
     std::vector<GuideKey> keys = {};
-    /// The tables of which it tells have this value here, where others of the name have other keys.
+    /// Key that has the value `where_value` in the described tables, if others of the name have other keys.
     std::string where_key = {};
     std::string where_value = {};
 };
 
-// Rows of the guides.
+// Functions for rows of the guides.
 GuideKey number_key(std::string name, const NumberRange& range, std::string fallback, std::string meaning);
 GuideKey text_key(std::string name, std::string fallback, std::string meaning);
 GuideKey choice_key(std::string name, std::string fallback, std::vector<std::string> choices,
@@ -67,18 +67,18 @@ GuideKey list_key(std::string name, KeyKind elements, std::size_t count, std::st
 GuideKey table_key(std::string name, std::string meaning);
 GuideKey required(GuideKey key);
 
-/// "mm/s2" of "max_acceleration_mm_s2"; empty where a key has no unit.
+/// Returns "mm/s2" for "max_acceleration_mm_s2"; empty if a key has no unit.
 std::string unit_of_key(std::string_view name);
 
-/// The keys of a table that holds a frame.
+/// Returns the keys of a table that holds a frame.
 std::vector<GuideKey> frame_guide();
-/// The keys of the table `shape` of a body.
+/// Returns the keys of the table `shape` of a body.
 std::vector<GuideKey> form_guide();
 
-/// All tables of a machine file, those of its controller among them; their keys are those that the reader
-/// takes, which a test holds.
+/// Returns all tables of a machine file, including those of its controller. Their keys are those that the
+/// reader accepts, which a test checks.
 std::vector<GuideTable> machine_guide();
-/// Those of a controller file.
+/// Returns the tables of a controller file.
 std::vector<GuideTable> controller_guide();
 
 }  // namespace gsim::machine

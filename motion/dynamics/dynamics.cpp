@@ -12,8 +12,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMetresPerMm = 1e-3;
-// Joints that do not take part in a move go by rounding: some 1e-12 of the speeds of others. Those that are
-// led by a numeric inverse stand to 1e-9 mm, for a chord of a millisecond.
+// Speed below which a joint is at standstill. Joints that do not take part in a move have speeds by rounding:
+// some 1e-12 of those of others. Joints that follow a numeric inverse are at standstill to 1e-9 mm, for a
+// chord of a millisecond.
 constexpr double kStands = 1e-5;  // mm/s, rad/s
 
 Eigen::Isometry3d in_metres(const rrs::CartPos& pose) {
@@ -24,8 +25,8 @@ Eigen::Isometry3d in_metres(const rrs::CartPos& pose) {
 
 }  // namespace
 
-/// Of a link as the recursion goes out, in the world. The point is the origin of the frame behind its motion.
-/// Without initial values, as there is an array of them for each instant.
+/// State of a link in the outward recursion, in the world. The point is the origin of the frame after its
+/// motion. It has no initial values, because an array of them exists for each instant.
 struct Dynamics::State {
     Eigen::Isometry3d frame;
     Vector3d axis;
@@ -35,7 +36,7 @@ struct Dynamics::State {
     Vector3d acceleration;  // the same, less gravity
 };
 
-/// What the links from one on ask of the one before, about the point of that link.
+/// Loads of the links from one on that act on the one before, about the point of that link.
 struct Dynamics::Loads {
     Vector3d force = Vector3d::Zero();
     Vector3d torque = Vector3d::Zero();
@@ -52,7 +53,7 @@ Dynamics::Dynamics(const kinematics::Chain& chain, const DynamicsModel& model)
     work_side_ = links_of(chain.work_side(), model, model.work, false);
 }
 
-// What is fixed behind the last joint goes with its link.
+// Bodies that are fixed after the last joint move with its link.
 std::vector<Dynamics::Link> Dynamics::links_of(const kinematics::Branch& branch, const DynamicsModel& model,
                                                const RigidBody& carried, bool tool) const {
     std::vector<Link> links;
@@ -101,7 +102,8 @@ Dynamics::State Dynamics::world() {
     return {Eigen::Isometry3d::Identity(), none, none, none, none, none};
 }
 
-// The link behind `before`, whose joint stands at `value` with these first and second derivatives.
+// Returns the state of the link after `before`, with its joint at `value` and these first and second
+// derivatives.
 Dynamics::State Dynamics::behind(const State& before, const Link& link, double value, double rate,
                                  double second) {
     State state;
@@ -140,8 +142,8 @@ void Dynamics::add_body(const RigidBody& body, const State& state, Loads& loads)
     loads.torque += turn * spin + centre.cross(force);
 }
 
-// Outwards go speeds and accelerations, with gravity as an acceleration of the world upwards; inwards forces.
-// `free`: without gravity, speeds and hoses, so that the acceleration alone counts.
+// Speeds and accelerations are computed outwards, with gravity as an acceleration of the world upwards;
+// forces inwards. `free`: without gravity, speeds and hoses, so that the acceleration alone counts.
 void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion, bool free,
                            Efforts& efforts) const {
     if (links.empty()) return;
@@ -154,7 +156,7 @@ void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion,
             behind(before, links[i], in_si(joint, motion.position[joint]),
                    free ? 0 : in_si(joint, motion.velocity[joint]), in_si(joint, motion.acceleration[joint]));
     }
-    Loads loads;  // of a link and all behind it, about its point
+    Loads loads;  // of a link and all links after it, about its point
     for (std::size_t i = links.size(); i-- > 0;) {
         add_body(links[i].body, states[i], loads);
         if (!free) add_hoses(links[i], states[i], loads);

@@ -7,29 +7,30 @@
 
 namespace gsim::dynamics {
 
-/// Of the force of a joint that slides (N) or the torque of one that turns (Nm), in the sense of its value.
+/// Forces of joints that slide (N) or torques of those that turn (Nm), in the sense of their values.
 using Efforts = rrs::JointPos;
 
-/// What moves one joint, seen at the joint. Units are N, m, kg of one that slides, and Nm, rad, kg m2 of one
-/// that turns.
+/// The drive of one joint, seen at the joint. Units are N, m, kg for a joint that slides, and Nm, rad, kg m2
+/// for one that turns.
 struct JointDrive {
-    double coulomb = 0;        ///< Friction that does not depend on speed; N or Nm.
-    double viscous = 0;        ///< Friction per speed; N s/m or Nm s/rad.
-    double rotor = 0;          ///< What turns with the motor, reflected; kg or kg m2.
-    double counterweight = 0;  ///< What a balance takes off the motor in the sense of the value; N or Nm.
+    double coulomb = 0;  ///< Friction that does not depend on speed; N or Nm.
+    double viscous = 0;  ///< Friction per speed; N s/m or Nm s/rad.
+    double rotor = 0;    ///< Inertia that turns with the motor, reflected; kg or kg m2.
+    double counterweight =
+        0;  ///< Load that a balance takes off the motor in the sense of the value; N or Nm.
 };
 
-/// What the end of a hose hangs on.
+/// Part to which the end of a hose is attached.
 enum class HoseEnd { joint, tool, work };
 
-/// A hose (or a cable) that is held at a point of the world and at one of a link. It is a tether: what is
-/// beyond its free length pulls like a spring, shorter it is slack; and it is dragged by the link's point,
-/// against the speed of that.
+/// A hose (or a cable) that is held at a point of the world and at one of a link. It is a tether: beyond its
+/// free length it pulls like a spring, if shorter it is slack. It also drags at the link's point, against the
+/// speed of that point.
 struct Hose {
     HoseEnd end = HoseEnd::tool;
-    int joint = 0;  ///< Of HoseEnd::joint.
+    int joint = 0;  ///< For HoseEnd::joint.
     Eigen::Vector3d point_m =
-        Eigen::Vector3d::Zero();  ///< In the frame behind that joint, the tool's or the work's.
+        Eigen::Vector3d::Zero();  ///< In the frame after that joint, the tool's or the work's.
     Eigen::Vector3d anchor_m = Eigen::Vector3d::Zero();  ///< In the world.
     double free_length_m = 0;
     double stiffness_n_per_m = 0;
@@ -39,30 +40,30 @@ struct Hose {
 /// 9.80665 m/s2 down the world's Z: standard gravity (CGPM 1901).
 inline const Eigen::Vector3d kStandardGravity_m_s2{0, 0, -9.80665};
 
-/// The masses of a chain and what acts on it.
+/// The masses of a chain and the effects that act on it.
 struct DynamicsModel {
     Eigen::Vector3d gravity_m_s2 = kStandardGravity_m_s2;  ///< In the world.
-    std::vector<RigidBody> links = {};    ///< For each joint, in the frame behind it (Chain::tool_frames()).
+    std::vector<RigidBody> links = {};    ///< For each joint, in the frame after it (Chain::tool_frames()).
     RigidBody tool = {};                  ///< In the frame of the tool centre point.
     RigidBody work = {};                  ///< In the work frame.
     std::vector<JointDrive> drives = {};  ///< For each joint.
     std::vector<Hose> hoses = {};
 };
 
-/// Inverse dynamics of a chain: the forces and torques that its motors have to bring up for a motion, by the
-/// recursion of Newton and Euler (Luh, Walker, Paul: On-Line Computational Scheme for Mechanical
-/// Manipulators, 1980), in the frame of the world. The joints that carry the tool and those that carry the
-/// work are two chains that share nothing but the world, which does not move. Immutable.
+/// Inverse dynamics of a chain: the forces and torques that its motors need for a motion, by the recursion of
+/// Newton and Euler (Luh, Walker, Paul: On-Line Computational Scheme for Mechanical Manipulators, 1980), in
+/// the frame of the world. The joints that carry the tool and those that carry the work are two chains that
+/// share only the world, which does not move. Immutable.
 class Dynamics {
   public:
-    /// `links` and `drives` of the model have an entry for each joint; throws std::invalid_argument
+    /// Takes a model with an entry of `links` and `drives` for each joint; throws std::invalid_argument
     /// otherwise.
     Dynamics(const kinematics::Chain& chain, const DynamicsModel& model);
 
     int joint_count() const { return static_cast<int>(drives_.size()); }
 
-    /// Joint values (mm, rad), speeds and accelerations (per s, s2), and for each joint the sense in which
-    /// Coulomb's friction holds against it: 1, -1, or 0 where it stands.
+    /// Joint values (mm, rad), speeds and accelerations (per s, s2), and for each joint the sense of motion
+    /// that Coulomb's friction opposes: 1, -1, or 0 at standstill.
     struct Motion {
         rrs::JointPos position;
         rrs::JointPos velocity;
@@ -70,22 +71,22 @@ class Dynamics {
         rrs::JointPos sense;
     };
 
-    /// What the motors bring up, N or Nm.
+    /// Returns the efforts of the motors, N or Nm.
     Efforts efforts(const Motion& motion) const;
-    /// The part of efforts() that goes with the acceleration: the mass matrix times it, rotors among it. With
-    /// a change of speed in its place it is the impulse for that, N s or Nm s.
+    /// Returns the part of efforts() due to the acceleration: the mass matrix times it, including rotors.
+    /// With a change of speed instead of the acceleration it is the impulse for that, N s or Nm s.
     Efforts inertial(const rrs::JointPos& position, const rrs::JointPos& acceleration) const;
-    /// The part of efforts() that friction at the joints takes.
+    /// Returns the part of efforts() due to friction at the joints.
     Efforts friction(const rrs::JointPos& velocity, const rrs::JointPos& sense) const;
-    /// What each motor does to the machine, W: effort times speed.
+    /// Returns the power of each motor into the machine, W: effort times speed.
     rrs::JointPos powers_w(const Efforts& efforts, const rrs::JointPos& velocity) const;
 
   private:
     struct Link {
         int joint;
         bool slides;
-        Eigen::Isometry3d before;  ///< From the frame behind the motion of the link before, in m.
-        RigidBody body;            ///< In the frame behind the motion.
+        Eigen::Isometry3d before;  ///< From the frame after the motion of the link before, in m.
+        RigidBody body;            ///< In the frame after the motion.
         std::vector<Hose> hoses;   ///< With points in that frame.
     };
     struct State;
@@ -107,7 +108,7 @@ class Dynamics {
     std::vector<Link> work_side_;
 };
 
-/// The sense of each joint's speed: 0 where it stands, but for rounding.
+/// Returns the sense of each joint's speed: 0 at standstill, within rounding.
 rrs::JointPos senses(const rrs::JointPos& velocity);
 
 }  // namespace gsim::dynamics

@@ -20,12 +20,12 @@ namespace {
 constexpr double kWithinTop =
     1 - 1e-9;  // at its top speed, but for rounding, a motor still brings up what it has
 constexpr double kAsGood = 1 - 1e-3;           // of an acceleration for which no lower speed is tried
-constexpr double kLeastPart = 1.0 / 4096;      // of the top speed, for what is left at rest
+constexpr double kLeastPart = 1.0 / 4096;      // of the top speed, for the remainder at standstill
 constexpr double kStep = 0.70710678118654752;  // half an octave
 constexpr double kMostLoss =
-    0.5;  // of an acceleration because of speed, on a way that is passed at any speed
+    0.5;  // of an acceleration because of speed, on a path that is passed at any speed
 
-/// From rest to rest with these ramps, and up to this speed.
+/// Returns the time from standstill to standstill with these ramps, and up to this speed.
 double time_s(double length, double speed, double up, double down) {
     const double ramps = 1 / up + 1 / down;
     if (speed * speed * ramps / 2 <= length) return length / speed + speed * ramps / 2;
@@ -34,13 +34,13 @@ double time_s(double length, double speed, double up, double down) {
 
 }  // namespace
 
-/// What efforts consist of at a place: for speeds as parts u of the top one
-/// at_rest + u linear + u^2 square, and for each unit of an acceleration `moved`.
+/// Components of efforts at a position: for speeds as parts u of the top one at_rest + u linear + u^2 square,
+/// and for each unit of an acceleration `moved`.
 struct EffortLimits::Terms {
     JointPos at_rest;
     JointPos linear;
     JointPos square;
-    std::vector<JointPos> moved;  ///< Along the way, or by the joints that move.
+    std::vector<JointPos> moved;  ///< Along the path, or by the joints that move.
 
     Motor::Effort effort(Eigen::Index joint, double sense) const {
         return {sense * at_rest[joint], sense * linear[joint], sense * square[joint]};
@@ -49,7 +49,7 @@ struct EffortLimits::Terms {
         return at_rest[joint] + part * (linear[joint] + part * square[joint]);
     }
 
-    /// How far the term in the middle is off the line through its neighbours, at least; raises `off`.
+    /// Raises `off` at least to the distance of the middle term from the line through its neighbours.
     static void raise(JointPos& off, const JointPos& a, const JointPos& b, const JointPos& c) {
         off = off.cwiseMax((a - 2 * b + c).cwiseAbs());
     }
@@ -61,23 +61,23 @@ struct EffortLimits::Terms {
     }
 };
 
-/// The terms all along a way.
+/// The terms all along a path.
 struct EffortLimits::Field {
     bool straight = false;
     double max_speed = 0;
-    JointPos shares;          ///< Greatest change of each joint by length of way, without its sense.
+    JointPos shares;          ///< Max change of each joint by path length, without its sense.
     std::vector<int> moving;  ///< Joints that change.
-    JointPos friction;        ///< Coulomb's, of those, where its sense is not known; else 0.
+    JointPos friction;        ///< Coulomb's, of those, if its sense is not known; else 0.
     std::vector<Terms> terms;
-    Terms off;  ///< How far terms between two points may be off the line through them.
+    Terms off;  ///< Max distance of terms between two points from the line through them.
 
     double by_speed(Eigen::Index joint) const { return max_speed * shares[joint]; }
 };
 
-/// What the joints may have up to a part of the top speed.
+/// Permitted accelerations of the joints up to a part of the top speed.
 struct EffortLimits::Allowed {
     JointPos up, down;    ///< By joint; only those of joints that move count.
-    double along_up = 0;  ///< The same along the way, for comparison; 0: the motors have too little.
+    double along_up = 0;  ///< The same along the path, for comparison; 0: the motors have too little.
     double along_down = 0;
 
     double least() const { return std::min(along_up, along_down); }
@@ -183,7 +183,7 @@ EffortLimits::Allowed EffortLimits::along_line(const Field& field, const std::ve
     return {up * field.shares, down * field.shares, up, down};
 }
 
-/// What is left of each motor beside all that goes without acceleration; below 0: nothing.
+/// Returns the remainder of each motor after all efforts without acceleration; below 0: nothing.
 JointPos EffortLimits::left_in_any_sense(const Field& field, double part) const {
     JointPos left = JointPos::Constant(field.shares.size(), kUnlimited);
     for (Eigen::Index joint = 0; joint < left.size(); ++joint) {
@@ -199,7 +199,7 @@ JointPos EffortLimits::left_in_any_sense(const Field& field, double part) const 
     return left;
 }
 
-/// Shares of the joints that move, in proportion to what each could have alone.
+/// Returns shares of the joints that move, in proportion to the acceleration that each could have alone.
 EffortLimits::Allowed EffortLimits::in_any_sense(const Field& field, const std::vector<JointSetup>& joints,
                                                  double part) const {
     const JointPos left = left_in_any_sense(field, part);

@@ -9,27 +9,26 @@
 
 namespace gsim::dynamics {
 
-/// Accelerations that the peaks of the motors allow. At a place q of a way, at the speed v and with the
-/// acceleration a along it, a motor brings up
+/// Accelerations that the peaks of the motors allow. At a position q of a path, at the speed v and with the
+/// acceleration a along it, the effort of a motor is
 ///
-///     M(q) (q' a + q'' v^2) + (what goes with v and v^2, weight, friction, counterweight, hoses)
+///     M(q) (q' a + q'' v^2) + (terms with v and v^2, weight, friction, counterweight, hoses)
 ///
-/// by Dynamics::efforts(): affine in a, and a polynomial of v. So the greatest a for all speeds up to the top
-/// one is found in closed form at each point of the way. Between points the terms are off the line through
-/// both by no more than what they are off the line at their neighbours (their second difference), which is
-/// taken off the motor: nothing where they do not change along the way.
+/// by Dynamics::efforts(): affine in a, and a polynomial of v. So the largest a for all speeds up to the top
+/// one is found in closed form at each point of the path. Between points the terms are off the line through
+/// both by at most their distance from the line at their neighbours (their second difference). This distance
+/// is subtracted from the motor: nothing if the terms do not change along the path.
 ///
-/// On a straight way q'' is 0, and speeding up and slowing down have limits of their own. Elsewhere
-/// accelerations have any direction: each joint gets a share of its own, and the shares of all may come
-/// together with any sign. A joint without a motor keeps its acceleration; those of the others may be above
-/// theirs.
+/// On a straight path q'' is 0, and speeding up and slowing down have separate limits. Elsewhere
+/// accelerations have any direction: each joint gets a separate share, and the shares of all may combine with
+/// any sign. A joint without a motor keeps its acceleration; those of the others may be above theirs.
 ///
-/// Where the motors bring up less at higher speeds, the top speed is the one at which a move from rest to
-/// rest takes least; of a move that may be passed at any speed none at which less than half of its
-/// acceleration is left. Speeds are tried in steps of a half octave.
+/// If the motors have less effort at higher speeds, the top speed is the one at which a move from standstill
+/// to standstill takes the least time. For a move that may be passed at any speed, it is not a speed at which
+/// less than half of its acceleration is left. Speeds are tried in steps of a half octave.
 class EffortLimits final : public motion::MoveLimits {
   public:
-    /// One motor for each joint.
+    /// Takes one motor for each joint.
     EffortLimits(std::shared_ptr<const Dynamics> dynamics, std::vector<Motor> motors);
 
     motion::Planned limit(motion::WayToLimit& way, std::vector<motion::JointSetup>& joints) const override;

@@ -7,7 +7,7 @@ namespace gsim::dynamics {
 
 namespace {
 
-/// The least of c0 + c1 u + c2 u^2 between two values.
+/// Returns the min of c0 + c1 u + c2 u^2 between two values.
 double least_of(double c0, double c1, double c2, double from, double to) {
     const auto at = [&](double u) { return c0 + u * (c1 + u * c2); };
     double least = std::min(at(from), at(to));
@@ -25,7 +25,8 @@ Motor::Motor(double peak, const std::vector<double>& speeds, const std::vector<d
         return;
     }
     for (std::size_t i = 0; i < speeds.size(); ++i) {
-        if (i > 0 && (peaks[i - 1] > peak) != (peaks[i] > peak)) {  // where the curve crosses what is most
+        if (i > 0 &&
+            (peaks[i - 1] > peak) != (peaks[i] > peak)) {  // point at which the curve crosses the peak
             const double share = (peak - peaks[i - 1]) / (peaks[i] - peaks[i - 1]);
             if (share > 0 && share < 1) knots_.push_back({std::lerp(speeds[i - 1], speeds[i], share), peak});
         }

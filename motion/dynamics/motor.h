@@ -5,22 +5,23 @@
 
 namespace gsim::dynamics {
 
-/// What a motor brings up, either way, N or Nm: straight between knots over its speed (mm/s or rad/s), below
-/// the first as there, beyond the last one nothing.
+/// Max effort of a motor, in both directions, N or Nm: linear between knots over its speed (mm/s or rad/s),
+/// below the first one constant, beyond the last one 0.
 class Motor {
   public:
-    /// No motor, or none that is known.
+    /// Creates no motor, or an unknown one.
     Motor() = default;
-    /// `peak` at most; with a curve, which is empty or as many speeds, each above the one before, as peaks.
+    /// Creates a motor with `peak` at most. The curve is empty or has as many speeds, each above the one
+    /// before, as peaks.
     Motor(double peak, const std::vector<double>& speeds, const std::vector<double>& peaks);
 
     bool is_known() const { return !knots_.empty(); }
-    /// Beyond this it brings up nothing.
+    /// Returns the speed beyond which it has no effort.
     double top_speed() const { return top_speed_; }
-    /// The least up to a speed.
+    /// Returns the min peak up to a speed.
     double least_peak(double speed) const;
-    /// The least over u from 0 to `most` of what is left at the speed u `by_speed` beside an effort of
-    /// at_rest + linear u + square u^2.
+    /// An effort of at_rest + linear u + square u^2. least_left() returns the min remainder of the peak over
+    /// u from 0 to `most`, at the speed u `by_speed`.
     struct Effort {
         double at_rest = 0;
         double linear = 0;

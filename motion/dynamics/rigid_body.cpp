@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of the greatest moment: figures of files are rounded
 
-// What a mass away from the axes adds (Steiner).
+// Returns the contribution of a mass away from the axes (Steiner).
 Eigen::Matrix3d of_point(double mass_kg, const Eigen::Vector3d& at_m) {
     return mass_kg * (at_m.squaredNorm() * Eigen::Matrix3d::Identity() - at_m * at_m.transpose());
 }

@@ -7,22 +7,22 @@
 
 namespace gsim::dynamics {
 
-/// What a body does to whoever moves it: mass, centre of mass, and the inertia tensor about that centre, in
-/// the axes of some frame. Products of inertia are elements of the tensor: xy is minus the sum of m x y.
+/// Inertia of a body: mass, centre of mass, and the inertia tensor about that centre, in the axes of some
+/// frame. Products of inertia are elements of the tensor: xy is minus the sum of m x y.
 struct RigidBody {
     double mass_kg = 0;
     Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
     Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Zero();
 };
 
-/// The same body seen from a frame in which its own one stands at `pose` (translation in m).
+/// Returns the same body seen from a frame in which its own frame is at `pose` (translation in m).
 RigidBody moved(const RigidBody& body, const Eigen::Isometry3d& pose);
 
-/// Both as one.
+/// Returns both bodies as one.
 RigidBody joined(const RigidBody& a, const RigidBody& b);
 
-/// Why no distribution of mass has this tensor, as the end of a sentence; nothing where one has: principal
-/// moments are not negative, and none is more than the sum of the two others.
+/// Returns why no distribution of mass has this tensor, as the end of a message; nothing if one has:
+/// principal moments are not negative, and none is more than the sum of the two others.
 std::optional<std::string> find_inertia_fault(const Eigen::Matrix3d& inertia_kg_m2);
 
 }  // namespace gsim::dynamics

@@ -14,13 +14,13 @@ using motion::Segment;
 namespace {
 
 constexpr int kMostHalvings = 24;
-constexpr int kMostParts = 4096;  // of what is smooth: enough for each kink, and a bound where all is noise
-// Both rules differ by far more than the better one is off.
+constexpr int kMostParts = 4096;  // of a smooth part: enough for each corner, and a bound if all is noise
+// The two rules differ by far more than the error of the better one.
 constexpr double kOfOwn = 1e-7;    // of a joint's own sum,
 constexpr double kOfAll = 1e-10;   // and of that of all joints;
-constexpr double kOfShare = 1e-2;  // of a joint's work, for which of it goes in and which back
-constexpr double kNoise = 1e-6;    // and what nobody misses, N2 or W: joints that stand go by rounding
-constexpr double kInside = 1e-9;   // of a part: how far its ends are taken inside
+constexpr double kOfShare = 1e-2;  // of a joint's work, for its parts in and back
+constexpr double kNoise = 1e-6;    // and negligible values, N2 or W: joints at standstill move by rounding
+constexpr double kInside = 1e-9;   // of a part: distance of samples inside its ends
 constexpr double kShortest_s = 1e-12;
 
 bool turns_back(const Segment& segment) {
@@ -47,7 +47,8 @@ EffortSample SegmentEfforts::at(const Segment& segment, double t_s) const {
     return at(segment, t_s, rrs::JointPos::Zero(dynamics_.joint_count()));
 }
 
-// What stands for the instant, as at the end of a ramp, holds against the way that the joint goes around it.
+// A joint at standstill for the instant, as at the end of a ramp, has friction against its motion around that
+// instant.
 EffortSample SegmentEfforts::at(const Segment& segment, double t_s, const rrs::JointPos& sense) const {
     EffortSample sample{.t_s = t_s, .motion = {}, .efforts = {}, .powers_w = {}};
     motion::JointState state = segment.at(t_s);
@@ -112,8 +113,8 @@ void SegmentEfforts::add(const Segment& segment, const Part& part, int halvings,
     add(segment, {middle_s, part.to_s, part.sense}, halvings + 1, look, parts_left, sum);
 }
 
-// Where a power changes its sign, work in and work back have a corner, and their difference has none: it is
-// held as closely as the rest, the share of each only as well as anyone asks.
+// If a power changes its sign, work in and work back have a corner, but their difference has none. The
+// difference is held as closely as the other sums, the share of each only as closely as users need.
 bool SegmentEfforts::agree(const Rates& coarse, const Rates& fine, double time_s) const {
     const Eigen::Index joints = dynamics_.joint_count();
     const auto close = [&](const auto& difference, const auto& own, double of_own) {

@@ -8,14 +8,14 @@
 
 namespace gsim::dynamics {
 
-/// What the motors do in a piece of motion, for each joint.
+/// Results of the motors in a part of a motion, for each joint.
 struct EffortSums {
     explicit EffortSums(int joints);
 
-    rrs::JointPos squares;     ///< Of the effort, over time: N2 s or (Nm)2 s.
+    rrs::JointPos squares;     ///< Squared effort over time: N2 s or (Nm)2 s.
     rrs::JointPos in_j;        ///< Work of the motor at the machine,
     rrs::JointPos back_j;      ///< and of the machine at the motor; 0 or greater, both.
-    rrs::JointPos friction_j;  ///< What friction at the joint took.
+    rrs::JointPos friction_j;  ///< Work of friction at the joint.
 
     EffortSums& operator+=(const EffortSums& other);
 };
@@ -28,34 +28,34 @@ struct EffortSample {
     rrs::JointPos powers_w;
 };
 
-/// Goes through segments by their closed forms. Efforts are smooth between the ends of the pieces of the time
-/// laws and the places where joints turn back; in between each part is integrated by the rule of Lobatto with
-/// its extension of Kronrod (Gander, Gautschi: Adaptive Quadrature - Revisited, BIT 40, 2000), and halved
-/// until both agree.
+/// Integration over segments by their closed forms. Efforts are smooth between the ends of the parts of the
+/// time laws and the positions at which joints turn back. In between, each part is integrated by the rule of
+/// Lobatto with its extension of Kronrod (Gander, Gautschi: Adaptive Quadrature - Revisited, BIT 40, 2000),
+/// and halved until both agree.
 class SegmentEfforts {
   public:
-    /// `dynamics` must outlive this.
+    /// Takes `dynamics`, which must outlive this object.
     explicit SegmentEfforts(const Dynamics& dynamics) : dynamics_(dynamics) {}
 
     using Look = std::function<void(const EffortSample&)>;
 
-    /// The sums of a segment. `look` gets each instant that is looked at, the ends of each smooth part among
-    /// them (from inside, where accelerations jump); in no order.
+    /// Returns the sums of a segment. `look` receives each instant that is evaluated, including the ends of
+    /// each smooth part (from inside, if accelerations jump); in no order.
     EffortSums sums(const motion::Segment& segment, const Look& look);
 
-    /// Those instants in the order of time.
+    /// Returns those instants in the order of time.
     std::vector<EffortSample> samples(const motion::Segment& segment);
 
-    /// An instant of a segment. Joints that stand have no friction.
+    /// Returns an instant of a segment. Joints at standstill have no friction.
     EffortSample at(const motion::Segment& segment, double t_s) const;
 
   private:
-    /// All that is integrated, one behind the other.
+    /// All integrated values in sequence.
     using Rates = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 * rrs::kMaxJoints, 1>;
     struct Part {
         double from_s;
         double to_s;
-        rrs::JointPos sense;  ///< Of the joints in its middle.
+        rrs::JointPos sense;  ///< Sense of the joints in its middle.
     };
 
     void split(const motion::Segment& segment);

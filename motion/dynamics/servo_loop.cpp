@@ -7,8 +7,8 @@ namespace gsim::dynamics {
 
 namespace {
 
-/// exp(-decay t) times the hyperbolic, or where `square` is below 0 the circular, functions of sqrt(|square|)
-/// t: cosh, and sinh over the root.
+/// exp(-decay t) times the hyperbolic functions of sqrt(|square|) t, or the circular ones if `square` is
+/// below 0: cosh, and sinh over the root.
 struct Waves {
     double even;
     double odd;
@@ -24,7 +24,7 @@ Waves damped(double decay_1_s, double square, double t_s) {
                 fade * t_s * (1 + n / 6 * (1 + n / 20 * (1 + n / 42 * (1 + n / 72))))};
     }
     if (square < 0) return {fade * std::cos(angle), fade * std::sin(angle) / root};
-    // The slow pole by the product of both, so that none is a difference of near numbers.
+    // The slow pole is computed by the product of both, so that neither is a difference of near numbers.
     const double fast_1_s = decay_1_s + root;
     const double slow_1_s = (decay_1_s * decay_1_s - square) / fast_1_s;
     const double slow = std::exp(-slow_1_s * t_s), fast = std::exp(-fast_1_s * t_s);

@@ -20,7 +20,7 @@ constexpr double kLinearBelow_s = 2e-5;  // slopes of so short steps are roundin
 constexpr double kSettled = 1e-10;       // mm or rad: less is left of a change
 constexpr double kLeastOfHeads = 64;     // steps of a great circle
 constexpr std::size_t kFewest = 3;       // steps that are kept,
-constexpr std::size_t kMost = 100'000;   // and the most, whatever the delay
+constexpr std::size_t kMost = 100'000;   // and the max, whatever the delay
 
 double turn_rad(const Segment& segment) {
     double turn = segment.kind == motion::SegmentKind::circular ? segment.arc.sweep_rad : 0;
@@ -77,7 +77,7 @@ void ServoMotion::leave(const Look& look) {
 }
 
 void ServoMotion::go_to(double t_s, const Look& look) {
-    if (segment_ == nullptr) {  // what comes between two segments is a rest
+    if (segment_ == nullptr) {  // between two segments the axes are at standstill
         if (t_s - now_s_ <= kLeastStep_s * std::max(1.0, t_s)) return;
         rest_.start_s = now_s_;
         rest_.duration_s = t_s - now_s_;
@@ -98,7 +98,8 @@ void ServoMotion::go_to(double t_s, const Look& look) {
     }
 }
 
-/// The state at an end of a piece of the segment, as it is inside: accelerations jump at the ends.
+/// Returns the state at an end of a part of the segment, as it is inside, because accelerations jump at the
+/// ends.
 JointState ServoMotion::state_inside(double from_s, double to_s, bool at_end) const {
     const double inside_s = kEndInside * (to_s - from_s);
     JointState state = segment_->at(at_end ? to_s - inside_s : from_s + inside_s);
@@ -124,7 +125,7 @@ bool ServoMotion::is_steady() const {
     return true;
 }
 
-/// The length of the next step, of so much that is left.
+/// Returns the length of the next step within the remaining time.
 double ServoMotion::step_s_from(double left_s) const {
     double turning_rad_s = 0;
     for (std::size_t joint = 0; joint < turns_.size(); ++joint) {
@@ -136,8 +137,9 @@ double ServoMotion::step_s_from(double left_s) const {
     return step_s < left_s ? left_s / std::ceil(left_s / step_s) : left_s;
 }
 
-/// How a joint goes on, from `set_.from`; without a duration at that speed. Where a set point or its speed
-/// jumps, the place does not, nor its speed but for what acceleration feed-forward makes of the jump.
+/// Returns the further motion of a joint, from `set_.from`; without a duration at that speed. If a set point
+/// or its speed jumps, the position does not. Its speed does not either, except for the effect of
+/// acceleration feed-forward.
 ServoMotion::JointStep ServoMotion::joint_step(std::size_t joint, double duration_s) const {
     const auto i = static_cast<Eigen::Index>(joint);
     JointStep step{.at = set_.from.position[i], .speed = {set_.from.velocity[i], 0, 0, 0}, .error = {}};

@@ -10,7 +10,7 @@
 
 namespace gsim::dynamics {
 
-/// The set points over a step, in which all of them are smooth.
+/// The set points over a step in which all of them are smooth.
 struct SetPointStep {
     double start_s = 0;  ///< On the planner's clock.
     double duration_s = 0;
@@ -19,38 +19,40 @@ struct SetPointStep {
     bool straight = false;  ///< All joints go in proportion, as in all of this segment.
 };
 
-/// Follows the servo loops of all joints along a motion, step by step. Where a set point is a polynomial of
-/// time, which is everywhere but on arcs and great circles, a step is exact but for rounding. On those its
-/// speed is taken for the polynomial of third order that has the speed and acceleration of both ends, and no
-/// step turns by more than `kMostTurn_rad`. Steps are long where nothing is left to see: joints at constant
-/// speeds whose errors no longer change.
+/// Simulation of the servo loops of all joints along a motion, step by step. A step is exact except for
+/// rounding if a set point is a polynomial of time, which it is everywhere but on arcs and great circles. On
+/// those its speed is approximated by the polynomial of third order with the speed and acceleration of both
+/// ends, and no step turns by more than `kMostTurn_rad`. Steps are long if no change remains: joints at
+/// constant speeds with errors that no longer change.
 class ServoMotion {
   public:
     static constexpr double kStep_s = 1e-3;
     static constexpr double kMostTurn_rad = 0.05;
-    /// Of a segment; where it takes longer, steps are longer.
+    /// Max number of steps of a segment; if it takes longer, steps are longer.
     static constexpr double kMostSteps = 65'536;
 
     using Look = std::function<void(const SetPointStep&)>;
 
-    /// One loop for each joint. `turns`: whether the joint turns the tool or the work.
+    /// Takes one loop for each joint. `turns`: true if the joint turns the tool or the work.
     ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> turns, double step_s = kStep_s);
 
-    /// All joints stand here at time 0, without an error.
+    /// Sets all joints to this position at time 0, without an error.
     void begin(const rrs::JointPos& start);
-    /// The next segment, behind a rest where it begins later than the last one ended. It outlives leave().
+    /// Enters the next segment, after a standstill if it begins later than the last one ended. It must
+    /// outlive leave().
     void enter(const motion::Segment& segment, const Look& look);
-    /// Goes on up to an instant of the segment that was entered; between segments the set points rest.
+    /// Advances to an instant of the segment that was entered; between segments the set points do not move.
     void go_to(double t_s, const Look& look);
-    /// Goes to its end.
+    /// Advances to its end.
     void leave(const Look& look);
 
     double now_s() const { return now_s_; }
-    /// How far back set_points() and places() reach, if there are as many steps.
+    /// Returns how far back set_points() and places() reach, if as many steps exist.
     double memory_s() const { return longest_delay_s_; }
-    /// At an instant up to now, as far back as memory_s() or in one of the last three steps.
+    /// Returns the set points at an instant up to now, as far back as memory_s() or in one of the last three
+    /// steps.
     rrs::JointPos set_points(double t_s) const;
-    /// Where the joints really are.
+    /// Returns the actual positions of the joints.
     rrs::JointPos places(double t_s) const;
 
   private:

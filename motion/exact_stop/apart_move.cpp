@@ -24,7 +24,7 @@ LawLimits rapid_limits(const PlannerSetup& setup, const MoveRules& rules, int jo
     return limits;
 }
 
-/// The joint that takes longest; none where none moves.
+/// Returns the joint that takes longest; none if no joint moves.
 std::optional<int> slowest_joint(const PlannerSetup& setup, const MoveRules& rules,
                                  const JointChanges& changes) {
     std::optional<int> slowest;
@@ -45,7 +45,7 @@ int moving_count(const PlannerSetup& setup, const JointChanges& changes) {
     return count;
 }
 
-/// Which joints make up the tool's path, as along a line.
+/// Returns the joints that make up the tool's path, as along a line.
 std::uint32_t path_joints(const PlannerSetup& setup, const JointChanges& changes) {
     const bool of_position = changes.norm(JointRole::position) > 0;
     const JointRole role = of_position ? JointRole::position : JointRole::secondary;
@@ -75,14 +75,14 @@ void add_ends(const TimeLaw& law, std::vector<double>& instants_s) {
     for (const LawPiece& piece : law.pieces()) instants_s.push_back(end_s += piece.duration_s);
 }
 
-/// The speed of the tool between two instants, halved until Simpson's rule no longer gains by it.
+/// Integral of the tool's speed between two instants, halved until Simpson's rule no longer gains by it.
 class WayIntegral {
   public:
     explicit WayIntegral(const Segment& segment) : segment_(segment) {}
 
     double between(double from_s, double to_s) const {
         const double half_s = (to_s - from_s) / 2;
-        // Speeds jump where nothing limits an acceleration: those inside count.
+        // Speeds jump if no limit of an acceleration exists, so those inside count.
         const double inside_s = half_s * kInside;
         const Part part{from_s, to_s, speed(from_s + inside_s), speed(from_s + half_s),
                         speed(to_s - inside_s)};

@@ -7,14 +7,14 @@
 
 namespace gsim::motion {
 
-/// RRS_INVALID_PARAMETER where the arc leaves the position joints that the machine has.
+/// Returns RRS_INVALID_PARAMETER if the arc leaves the position joints that the machine has.
 Planned check_arc(const PlannerSetup& setup, const Arc& arc);
 
-/// Plans circular motion along segment.arc, which goes from segment.start to segment.end in the position
-/// joints; all other moving joints follow, but for those of segment.orientation, which go with the arc.
-/// Tangential speed and acceleration keep the programmed values, the limits of the path and, for the
-/// direction of travel in which each is worst, those of the position joints. Acceleration towards the centre
-/// is not limited here: Segment::peak_centripetal_mm_s2 tells it. RRS_ZERO_SPEED and as check_arc().
+/// Plans circular motion along segment.arc from segment.start to segment.end in the position joints. All
+/// other moving joints follow, except those of segment.orientation, which move with the arc. Tangential speed
+/// and acceleration keep the programmed values, the limits of the path and, for the direction of travel in
+/// which each is worst, those of the position joints. Acceleration towards the centre is not limited here;
+/// Segment::peak_centripetal_mm_s2 reports it. RRS_ZERO_SPEED and as check_arc().
 Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
 
 }  // namespace gsim::motion

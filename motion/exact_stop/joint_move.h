@@ -8,7 +8,7 @@
 namespace gsim::motion {
 
 /// Plans joint motion from segment.start to segment.end: all joints in proportion, by one law, with the
-/// leading joint at its limit, or at a share of its speed. A move that goes nowhere becomes a segment of no
+/// master joint at its limit, or at a share of its speed. A move without a change becomes a segment of no
 /// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
 Planned plan_joint_move(const PlannerSetup& setup, const MoveTerms& terms, double speed_share,
                         Segment& segment);

@@ -35,7 +35,7 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
     return lead;
 }
 
-/// Along a great circle the angle of the tool's direction leads where nothing else moves.
+/// Along a great circle the angle of the tool's direction is the master if nothing else moves.
 LeadPath leading_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                       JointRole role, const OrientationArc* orientation) {
     if (orientation == nullptr) return straight_path(setup, rules, changes, role);

@@ -7,17 +7,17 @@
 
 namespace gsim::motion {
 
-/// Plans a straight line from segment.start to segment.end. The position joints lead where any of them moves,
-/// in a straight line; else the other prismatic joints; else the rotary joints, in the space of their angles.
-/// All other moving joints follow, but for those of segment.orientation, which go with the lead; where rotary
-/// joints alone move, its angle leads. A move that goes nowhere becomes a segment of no duration.
-/// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+/// Plans a straight line from segment.start to segment.end. The position joints are masters if any of them
+/// moves, in a straight line; else the other prismatic joints; else the rotary joints, in the space of their
+/// angles. All other moving joints follow, except those of segment.orientation, which move with the master;
+/// if rotary joints alone move, its angle is the master. A move without a change becomes a segment of no
+/// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
 Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
 
-/// Makes the segment one that stays where it is for `duration_s`.
+/// Makes the segment a standstill of `duration_s`.
 void plan_stay(Segment& segment, double duration_s);
 
-/// The answer where a path asks for a programmed speed and has none.
+/// Returns the error of a path that needs a programmed speed and has none.
 tl::unexpected<PlanError> no_programmed_speed();
 
 }  // namespace gsim::motion

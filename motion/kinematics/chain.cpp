@@ -8,8 +8,7 @@ namespace gsim::kinematics {
 
 namespace {
 
-// Rotations of table rows are mostly multiples of 90 degrees; cleared of rounding they give clean
-// coordinates.
+// Rotations of table rows are mostly multiples of 90 degrees; without rounding they give clean coordinates.
 double without_rounding(double value) {
     const double nearest = std::round(value);
     return std::abs(value - nearest) < 1e-15 ? nearest : value;
@@ -71,7 +70,7 @@ void add_joint_frames(const Branch& branch, const rrs::JointPos& joints, std::ve
 
 }  // namespace
 
-// Rz(theta + q) Tz(d) = Rz(q) Rz(theta) Tz(d), and Tz(d + q) likewise: the motion stands before the row.
+// Rz(theta + q) Tz(d) = Rz(q) Rz(theta) Tz(d), and Tz(d + q) likewise: the motion comes before the row.
 Link link_of(int joint, const DhLink& row) {
     return {.joint = joint,
             .kind = row.kind,

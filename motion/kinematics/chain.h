@@ -18,8 +18,8 @@ struct DhLink {
     double alpha_rad = 0;
 };
 
-/// One joint of a chain and what is fixed about it: `before`, then the joint's motion along or about Z, then
-/// `after`.
+/// One joint of a chain and its fixed transformations: `before`, then the joint's motion along or about Z,
+/// then `after`.
 struct Link {
     int joint = 0;  ///< Index of its value in a JointPos.
     rrs::JointKind kind = rrs::JointKind::prismatic;
@@ -28,24 +28,24 @@ struct Link {
     std::optional<DhLink> row = std::nullopt;  ///< The row that it was made of, if it was.
 };
 
-/// A link by a row of a Denavit-Hartenberg table: all that is fixed stands behind the motion.
+/// Returns a link for a row of a Denavit-Hartenberg table: all fixed transformations come after the motion.
 Link link_of(int joint, const DhLink& row);
 
-/// Joints one behind the other: from the world over `base` to the first one, from the last one to `end`.
+/// Joints in sequence: from the world over `base` to the first one, from the last one to `end`.
 struct Branch {
     rrs::CartPos base = rrs::CartPos::Identity();
     std::vector<Link> links = {};
     rrs::CartPos end = rrs::CartPos::Identity();
 };
 
-/// A machine as two branches from the world: joints that carry the tool, and joints that carry the work. What
-/// programs and services call the pose of the tool is that of the one end against the other. Without joints
-/// of the work, and with its frame at the world's, that is the tool in the world. Immutable.
+/// A machine as two branches from the world: joints that carry the tool, and joints that carry the work. The
+/// pose of the tool in programs and services is that of the one end relative to the other. Without joints of
+/// the work, and with its frame at the world's, that is the tool in the world. Immutable.
 class Chain {
   public:
-    /// The ends are the tool centre point and the work frame. Each joint from 0 up stands in one link, at
-    /// most kMaxJoints; throws std::invalid_argument otherwise. `idle_joints` stand in none: they are slides
-    /// that carry neither, such as what feeds filament.
+    /// Takes both branches. The ends are the tool centre point and the work frame. Each joint from 0 up is in
+    /// one link, at most kMaxJoints; throws std::invalid_argument otherwise. `idle_joints` are in none: they
+    /// are slides that carry neither, such as a filament feed.
     explicit Chain(Branch tool_side, Branch work_side = {}, std::vector<int> idle_joints = {});
 
     int joint_count() const { return static_cast<int>(kinds_.size()); }
@@ -54,16 +54,16 @@ class Chain {
     const Branch& work_side() const { return work_side_; }
     const std::vector<int>& idle_joints() const { return idle_joints_; }
 
-    /// The tool centre point in the work frame. `joints` holds joint_count() values.
+    /// Returns the tool centre point in the work frame. `joints` holds joint_count() values.
     rrs::CartPos forward(const rrs::JointPos& joints) const;
 
-    /// Frames in the world, two more than the tool's side has links: its base, that behind each link, the
-    /// tool.
+    /// Returns frames in the world, two more than the tool's side has links: its base, that after each link,
+    /// the tool.
     std::vector<rrs::CartPos> tool_frames(const rrs::JointPos& joints) const;
-    /// The same of the work's side; the last one is the work frame.
+    /// Returns the same for the work's side; the last one is the work frame.
     std::vector<rrs::CartPos> work_frames(const rrs::JointPos& joints) const;
-    /// A frame in the world for each joint, in the order of their values: the joint moves along or about its
-    /// Z. That of an idle joint is the world's.
+    /// Returns a frame in the world for each joint, in the order of their values: the joint moves along or
+    /// about its Z. That of an idle joint is the world's.
     std::vector<rrs::CartPos> joint_frames(const rrs::JointPos& joints) const;
 
   private:
@@ -74,8 +74,8 @@ class Chain {
     bool work_is_world_ = false;
 };
 
-/// The same machine, moved as a whole in the world by `shift`: joints that carry the work go along; where
-/// there are none, the work frame stays where it is.
+/// Returns the same machine, moved completely in the world by `shift`: joints that carry the work move along;
+/// without any, the work frame stays at its position.
 Chain moved(const Chain& chain, const rrs::CartPos& shift);
 
 }  // namespace gsim::kinematics

@@ -16,7 +16,7 @@ class ChainKinematics : public Kinematics {
     int joint_count() const override { return chain_.joint_count(); }
     InverseKind inverse_kind() const override { return InverseKind::none; }
     rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
-    /// Always the error that this machine has no inverse.
+    /// Returns always the error that this machine has no inverse.
     tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                      const rrs::JointPos& near) const override;
     tl::expected<std::vector<rrs::JointPos>, std::string> solutions(const rrs::CartPos& pose,

@@ -46,7 +46,7 @@ rrs::CartPos frame_at(const Vector3d& origin, const Vector3d& x, const Vector3d&
     return frame;
 }
 
-// Where a joint's Z leads on to that of the next one: along the common normal of both axes.
+// Connection from a joint's Z to that of the next one: along the common normal of both axes.
 struct Step {
     double d_mm = 0;
     double a_mm = 0;
@@ -56,7 +56,7 @@ struct Step {
 Step step_to(const rrs::CartPos& frame, const Screw& next) {
     const Vector3d z = frame.linear().col(2);
     const Vector3d normal = z.cross(next.direction);
-    // A slide has a direction alone; its axis goes through wherever the chain has come to.
+    // A slide has only a direction; its axis passes through the current point of the chain.
     const Vector3d apart =
         next.kind == rrs::JointKind::revolute ? Vector3d(next.point - frame.translation()) : Vector3d::Zero();
     if (normal.norm() >= kParallel) {

@@ -116,7 +116,7 @@ tl::expected<std::vector<rrs::JointPos>, std::string> GantryKinematics::solution
     return in_order(chain_, ranges_, near, std::move(found));
 }
 
-// With the angles given, the tip is at E(angles) tip_at_zero + sum of q_i R_i v_i: each slide's direction is
+// With the angles given, the TCP is at E(angles) tip_at_zero + sum of q_i R_i v_i: each slide's direction is
 // turned by the rotary joints before it, and E is the chain without the slides.
 std::optional<rrs::JointPos> GantryKinematics::joints_at(const rrs::CartPos& target,
                                                          const RotaryAxes::Angles& angles) const {

@@ -15,15 +15,17 @@
 
 namespace gsim::kinematics {
 
-/// Three prismatic joints in different directions and up to two revolute joints, in any order, each on the
-/// tool's or the work's side: gantries and mills with head-head, head-table or table-table rotary axes, the
-/// tip on the rotation point or off it. The inverse is in closed form. Seen from the work the machine is one
-/// product of exponentials (ScrewChain), in which the revolute joints alone turn the tool; with their angles
-/// found (RotaryAxes), the tip's place is a linear function of the three prismatic joints.
+/// Gantry or mill with three prismatic joints in different directions and up to two revolute joints. They
+/// come in any order, each on the tool side or the work side. The rotary axes are head-head, head-table or
+/// table-table, with the TCP on the rotation point or off it. The inverse is in closed form. The machine,
+/// seen from the work, is one product of exponentials (ScrewChain), in which only the revolute joints turn
+/// the tool. After their angles are found (RotaryAxes), the TCP position is a linear function of the three
+/// prismatic joints.
 class GantryKinematics : public Kinematics {
   public:
-    /// Takes a chain if it is such a machine; otherwise a sentence that says what is in the way. `ranges` of
-    /// all joints, or none where there are no limits: of several solutions one in range comes first.
+    /// Returns the kinematics of a chain if it is such a machine, otherwise a message that names the
+    /// obstacle. `ranges` has an entry for each joint, or is empty if no limits apply. A solution in range
+    /// comes first if several exist.
     static tl::expected<std::shared_ptr<const GantryKinematics>, std::string> make(
         Chain chain, std::vector<JointRange> ranges = {});
 
@@ -32,19 +34,19 @@ class GantryKinematics : public Kinematics {
     InverseKind inverse_kind() const override { return InverseKind::gantry; }
     rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
 
-    /// Two rotary axes reach two of three degrees of orientation. A pose that they reach exactly is reached
-    /// exactly; of any other its tool axis (Z) is matched and the turn about it is left to the machine, with
-    /// the solution nearest to `near`. Where the first rotary axis is parallel to the wanted tool axis and
-    /// the pose does not say where it should stand, it stays at its value in `near`. An error where the tool
-    /// axis itself is out of reach by more than 1e-6 rad, or where the rotary axes stand so that two slides
-    /// go the same way.
+    /// Returns joint values for `pose`. Two rotary axes reach two of three degrees of orientation. A pose
+    /// that they can reach exactly is reached exactly. Any other pose has its tool axis (Z) matched; the turn
+    /// about it is left to the machine, with the solution nearest to `near`. The first rotary axis keeps its
+    /// value in `near` if it is parallel to the wanted tool axis and the pose does not define its position.
+    /// Returns an error if the tool axis itself is out of reach by more than 1e-6 rad. Also returns an error
+    /// if the rotary axes are positioned so that two slides move in the same direction.
     tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                      const rrs::JointPos& near) const override;
     tl::expected<std::vector<rrs::JointPos>, std::string> solutions(const rrs::CartPos& pose,
                                                                     const rrs::JointPos& near) const override;
 
-    /// Where there are two rotary axes between the slides and the tool, through the tip, at right angles to
-    /// each other and the second one to the tool.
+    /// Returns the head if two rotary axes between the slides and the tool pass through the TCP, at right
+    /// angles to each other and the second one to the tool.
     std::optional<TiltingHead> tilting_head() const override;
 
   private:

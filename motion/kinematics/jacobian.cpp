@@ -26,7 +26,7 @@ void add_columns(const Branch& branch, const std::vector<rrs::CartPos>& frames, 
     }
 }
 
-// The rotation vector of a matrix; near half a turn, too, where the antisymmetric part vanishes.
+// Returns the rotation vector of a matrix, also near half a turn, at which the antisymmetric part vanishes.
 Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
     const Eigen::Quaterniond q(rotation);
     const double sine = q.vec().norm();

@@ -10,28 +10,29 @@ namespace gsim::kinematics {
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, rrs::kMaxJoints>;
 using Twist = Eigen::Matrix<double, 6, 1>;
 
-/// Where a chain stands, and how its joints move the tool against the work from there.
+/// Configuration of a chain, and the motion of the tool relative to the work that its joints cause from
+/// there.
 struct Stance {
     rrs::CartPos tool;  ///< In the world.
     rrs::CartPos work;
-    /// Speed of the tool's tip (rows 0 to 2, mm) and its turning (rows 3 to 5, rad) against the work, in
-    /// directions of the world, for each unit (mm or rad) of a joint's speed.
+    /// Speed of the TCP (rows 0 to 2, mm) and turning of the tool (rows 3 to 5, rad) relative to the work,
+    /// for each unit (mm or rad) of a joint's speed. Directions are those of the world.
     Jacobian jacobian;
 };
 
 Stance stance(const Chain& chain, const rrs::JointPos& joints);
 
-/// What takes the tool to `pose` (in the work frame): the way in mm, then the rotation vector in rad, in
-/// directions of the world.
+/// Returns the motion that takes the tool to `pose` (in the work frame): the displacement in mm, then the
+/// rotation vector in rad, in world directions.
 Twist twist_to(const Stance& stance, const rrs::CartPos& pose);
 
-/// How many mm of the tip's way weigh as much as a radian: about as far as the chain reaches; > 0.
+/// Returns the TCP distance in mm that weighs as much as a radian: about the reach of the chain; > 0.
 double mm_per_rad(const Chain& chain);
 
-/// The joints that line up at a singular stance: those that can move against each other while the tool
-/// stands, where the chain has as many joints as that takes it to be none elsewhere; empty where the stance
-/// is not singular (least singular value of the Jacobian, with lengths in units of `mm_per_rad`, at least
-/// `threshold`).
+/// Returns the joints that line up at a singular configuration: those that can move against each other while
+/// the tool is at standstill. The chain must have only so many joints that none can do so elsewhere. Returns
+/// an empty list if the configuration is not singular: the smallest singular value of the Jacobian, with
+/// lengths in units of `mm_per_rad`, is at least `threshold`.
 std::vector<int> lined_up(const Stance& stance, double mm_per_rad, double threshold);
 
 }  // namespace gsim::kinematics

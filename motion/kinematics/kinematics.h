@@ -13,18 +13,19 @@ namespace gsim::kinematics {
 
 class Chain;
 
-/// How joint values are found for a pose; gantry: in closed form, numeric: step by step from several starts.
+/// Method that finds joint values for a pose; gantry: in closed form, numeric: step by step from several
+/// starts.
 enum class InverseKind { none, gantry, numeric };
 
-/// The range of a joint's value, mm or rad, and its name in sentences: where empty, its index.
+/// Range of a joint's value, mm or rad, and its name in messages. An empty name means its index.
 struct JointRange {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     std::string name = {};
 };
 
-/// A head that turns the tool about its tip: one joint turns about an axis that stands still (the pole; the
-/// vertical in most machines), the other one, behind it, tilts the tool away from the pole about an axis at
+/// Head that turns the tool about the TCP. One joint turns about a fixed axis (the pole; vertical in most
+/// machines). The other joint, after it in the chain, tilts the tool away from the pole about an axis at
 /// right angles to it and to the tool.
 struct TiltingHead {
     int turn_joint = 0;
@@ -37,36 +38,36 @@ class Kinematics {
   public:
     virtual ~Kinematics() = default;
 
-    /// The joints that the geometry was made of.
+    /// Returns the joints from which the geometry was made.
     virtual const Chain& chain() const = 0;
     virtual InverseKind inverse_kind() const = 0;
-    /// Whether inverse() answers anything but an error.
+    /// True if inverse() can return anything but an error.
     bool has_inverse() const { return inverse_kind() != InverseKind::none; }
     virtual int joint_count() const = 0;
 
-    /// Pose of the tool centre point in the work frame (mm) for joint values in mm and rad.
+    /// Returns the pose of the TCP in the work frame (mm) for joint values in mm and rad.
     virtual rrs::CartPos forward(const rrs::JointPos& joints) const = 0;
 
-    /// Joint values that give `pose`: the first of solutions(), or where finding all of them is slow, one
-    /// that is close to `near`. The error is a sentence for the user.
+    /// Returns joint values that give `pose`: the first of solutions(), or one close to `near` if finding all
+    /// of them is slow. The error is a message for the user.
     virtual tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                              const rrs::JointPos& near) const = 0;
 
-    /// All joint values that give `pose`, at least one. Those within the joints' ranges come first, and of
-    /// them those that reach all of the pose before those that match the tool's axis alone, the nearest to
-    /// `near` first. Whole turns of a revolute joint follow `near`, as far as its range lets them; solutions
-    /// that differ in whole turns alone count as one.
+    /// Returns all joint values that give `pose`, at least one. Solutions within the joint ranges come first.
+    /// Among them, those that reach the full pose come before those that match only the tool axis, the
+    /// nearest to `near` first. Full turns of a revolute joint follow `near` as far as its range allows.
+    /// Solutions that differ only in full turns count as one.
     virtual tl::expected<std::vector<rrs::JointPos>, std::string> solutions(
         const rrs::CartPos& pose, const rrs::JointPos& near) const = 0;
 
-    /// The joints that line up where the tool has lost a direction to move in, by their indices; empty
-    /// elsewhere, and where the inverse does not mind.
+    /// Returns the indices of the joints that line up if the tool has lost a direction to move in. Returns an
+    /// empty list elsewhere, and if that does not affect the inverse.
     virtual std::vector<int> lined_up(const rrs::JointPos&) const { return {}; }
 
-    /// The joints that inverse() and solutions() leave where `near` has them (groups of axes).
+    /// Returns the joints that inverse() and solutions() keep at their values in `near` (groups of axes).
     virtual std::vector<int> held_joints() const { return {}; }
 
-    /// The head that turns the tool, where the machine has such a one.
+    /// Returns the head that turns the tool, if the machine has one.
     virtual std::optional<TiltingHead> tilting_head() const { return std::nullopt; }
 };
 

@@ -19,7 +19,7 @@ constexpr int kStarts = 64;
 constexpr int kSteps = 100;
 constexpr double kReached_mm = 1e-9;
 constexpr double kReached_rad = 1e-10;
-constexpr double kNearlyReached = 1e-6;  // mm and rad, at singular stances
+constexpr double kNearlyReached = 1e-6;  // mm and rad, at singular configurations
 constexpr int kPatience = 12;            // steps that gain too little
 constexpr double kGain = 0.01;           // what a step should gain of the error
 constexpr double kFineGain = 1e-6;
@@ -28,8 +28,9 @@ constexpr double kNearlySingular = 1e-2;
 constexpr double kDamping = 0.05;  // of the squared error, without unit
 constexpr double kLeastDamping = 1e-14;
 
-// The fractional parts of a start's number times the powers of the root of x^(d+1) = x + 1 fill a space of d
-// dimensions evenly (Roberts 2018, "the unreasonable effectiveness of quasirandom sequences").
+// Quasirandom sequence that fills a space of d dimensions evenly (Roberts 2018, "the unreasonable
+// effectiveness of quasirandom sequences"): the fractional parts of a start's number times the powers of the
+// root of x^(d+1) = x + 1.
 double spread(int number, int dimension, int dimensions) {
     double root = 2;
     for (int i = 0; i < 32; ++i) root = std::pow(1 + root, 1.0 / (dimensions + 1));
@@ -76,8 +77,9 @@ bool NumericKinematics::is_held(int joint) const {
     return std::find(held_.begin(), held_.end(), joint) != held_.end();
 }
 
-// Start 0 is where the machine stands. The others are spread over the ranges, but over no more than a turn of
-// a revolute joint, and than the chain's reach about `near` of a slide without ends.
+// Start 0 is the current position of the machine. The others are spread over the ranges, but over no more
+// than a turn of a revolute joint. A slide without limits is spread over no more than the chain's reach about
+// `near`.
 rrs::JointPos NumericKinematics::start(int number, const rrs::JointPos& near) const {
     rrs::JointPos joints = clamped(ranges_, near);
     if (number == 0) return joints;
@@ -99,8 +101,8 @@ double NumericKinematics::size(const Twist& left) const {
     return std::hypot(left.head<3>().norm() / mm_per_rad_, left.tail<3>().norm());
 }
 
-// Damped least squares in units in which the joints' columns are of size 1. A joint at the end of its range
-// that would go on beyond is held, and the others are asked again.
+// Damped least squares in units in which the joint columns have size 1. A joint that would move beyond the
+// end of its range is held, and the others are solved again.
 rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, const rrs::JointPos& joints,
                                       const std::vector<JointRange>& ranges) const {
     Jacobian scaled = stance.jacobian;
@@ -115,7 +117,7 @@ rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, c
     const double damping = kLeastDamping + kDamping * goal.squaredNorm();
     rrs::JointPos change(joints.size());
     for (int round = 0; round <= joint_count(); ++round) {
-        // Eigen's product of large matrices, which these are not, costs a second of each build.
+        // Eigen's product is for large matrices, which these are not, and would cost a second of each build.
         JointSquare normal = scaled.transpose().lazyProduct(scaled);
         normal.diagonal().array() += damping;
         change = solve_symmetric(normal, scaled.transpose().lazyProduct(goal));
@@ -158,8 +160,8 @@ NumericKinematics::Attempt NumericKinematics::search(const rrs::CartPos& pose, c
     return best;
 }
 
-// Ends of ranges are in the way of a search: it first goes on past them, as a solution beyond one may be
-// within when turned round.
+// Ends of ranges obstruct a search. It first ignores them, because full turns may bring a solution beyond an
+// end back into range.
 NumericKinematics::Attempt NumericKinematics::attempt(const rrs::CartPos& pose, const rrs::JointPos& from,
                                                       const rrs::JointPos& near) const {
     Attempt free = search(pose, from, no_ranges_, kGain);
@@ -218,7 +220,7 @@ std::vector<int> NumericKinematics::lined_up(const rrs::JointPos& joints) const 
     return lined_up(joints, kSingular);
 }
 
-// Joints that are held make up for none that line up.
+// Held joints do not compensate for joints that line up.
 std::vector<int> NumericKinematics::lined_up(const rrs::JointPos& joints, double threshold) const {
     Stance here = stance(chain_, joints);
     std::vector<int> moved;

@@ -15,14 +15,14 @@
 
 namespace gsim::kinematics {
 
-/// The inverse of any chain by damped least squares (Wampler 1986; Nakamura and Hanafusa 1986) with a damping
-/// that falls with the square of what is left to go (Sugihara 2011), from several starts in the joints'
-/// ranges: first as if they had no ends, then held within them. A pose is always meant whole, position and
+/// Inverse of any chain by damped least squares (Wampler 1986; Nakamura and Hanafusa 1986). The damping falls
+/// with the square of the remaining error (Sugihara 2011). The search runs from several starts in the joint
+/// ranges: first as if they had no ends, then held within them. A pose always means both position and
 /// orientation.
 class NumericKinematics : public Kinematics {
   public:
-    /// `ranges` of all joints, or none where there are no limits; `held` are the joints that no search moves,
-    /// by their indices. The error is a sentence.
+    /// Returns the kinematics of a chain. `ranges` has an entry for each joint, or is empty if no limits
+    /// apply. `held` lists the indices of the joints that no search moves. The error is a message.
     static tl::expected<std::shared_ptr<const NumericKinematics>, std::string> make(
         Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> held = {});
 
@@ -31,14 +31,14 @@ class NumericKinematics : public Kinematics {
     InverseKind inverse_kind() const override { return InverseKind::numeric; }
     rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
 
-    /// The solution that the search from `near` leads to, which mostly is the nearest one; where it leads to
-    /// none, the first that another start leads to. Within the ranges, and to 1e-9 mm and 1e-10 rad, at
-    /// singular stances to 1e-6. The error says by how much the pose is out of reach, and which joints line
-    /// up where the search has ended, by their names or by their indices.
+    /// Returns the solution that the search from `near` finds, which mostly is the nearest one, otherwise the
+    /// first that another start finds. Solutions are within the ranges, to 1e-9 mm and 1e-10 rad, at singular
+    /// configurations to 1e-6. The error reports how far the pose is out of reach. It also reports the joints
+    /// that line up at the end of the search, by their names or by their indices.
     tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                      const rrs::JointPos& near) const override;
-    /// What a fixed number of starts leads to: all solutions of an arm with six joints, save where two lie
-    /// close together; of one with more joints, which has endlessly many, some.
+    /// Returns the results of a fixed number of starts. An arm with six joints gets all solutions, unless two
+    /// are close together. An arm with more joints has infinitely many solutions and gets some.
     tl::expected<std::vector<rrs::JointPos>, std::string> solutions(const rrs::CartPos& pose,
                                                                     const rrs::JointPos& near) const override;
 
@@ -48,7 +48,7 @@ class NumericKinematics : public Kinematics {
   private:
     struct Attempt {
         rrs::JointPos joints;
-        Twist left = Twist::Zero();                              ///< What is left to go, mm and rad.
+        Twist left = Twist::Zero();                              ///< Remaining error, mm and rad.
         double error = std::numeric_limits<double>::infinity();  ///< Its size, lengths in mm_per_rad_.
         bool reached = false;
     };

@@ -30,8 +30,8 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// The angle of the rotation about the unit vector `axis` that brings `from` over `to`, both projected along
-// it.
+// Returns the angle of the rotation about the unit vector `axis` that aligns `from` with `to`, both projected
+// along it.
 double angle_about(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
     return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
 }
@@ -63,9 +63,9 @@ std::vector<RotaryAxes::Choice> RotaryAxes::choices(const Matrix3d& rotation, co
     return found;
 }
 
-// The angles that give `turn` = Rot(first) Rot(second), if any do: the first rotation alone moves the second
-// axis, and the second alone, undone, the first axis. Well-conditioned everywhere, as the axes are not
-// parallel.
+// Returns the angles that give `turn` = Rot(first) Rot(second), if any exist. Only the first rotation moves
+// the second axis, and only the second one, undone, moves the first axis. The result is well-conditioned
+// everywhere, because the axes are not parallel.
 RotaryAxes::Angles RotaryAxes::exact_angles(const Matrix3d& turn) const {
     if (axes_.empty()) return Angles::Zero();
     if (axes_.size() == 1) {
@@ -85,8 +85,8 @@ std::vector<RotaryAxes::Angles> RotaryAxes::tool_axis_angles(const Vector3d& too
     return {Angles{angle_about(axes_[0], at_zero, tool_axis), 0}};
 }
 
-// Rot(first) Rot(second) at_zero = tool_axis: the direction between the two rotations lies on the cones about
-// both axes, that is at x first + y second +- z (first x second).
+// Solves Rot(first) Rot(second) at_zero = tool_axis. The direction between the two rotations is on the cones
+// about both axes, that is at x first + y second +- z (first x second).
 std::vector<RotaryAxes::Angles> RotaryAxes::two_axis_angles(const Vector3d& tool_axis,
                                                             const Angles& near) const {
     const Vector3d& first = axes_[0];
@@ -114,8 +114,8 @@ std::vector<RotaryAxes::Angles> RotaryAxes::two_axis_angles(const Vector3d& tool
     return found;
 }
 
-// The tool's axis reaches the directions at some angles to the first axis: all those between the least and
-// the greatest that the second rotation gives it.
+// The tool axis reaches directions at certain angles to the first axis: all those between the smallest and
+// the largest that the second rotation gives it.
 double RotaryAxes::miss_rad(const Vector3d& tool_axis) const {
     const Vector3d at_zero = at_zero_.col(2);
     if (axes_.empty()) return angle_between(at_zero, tool_axis);

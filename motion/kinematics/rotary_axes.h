@@ -7,16 +7,16 @@
 
 namespace gsim::kinematics {
 
-/// The orientation of a tool behind at most two rotary axes that are not parallel:
-/// Rot(first) Rot(second) at_zero. For two axes this is Paden and Kahan's second subproblem (Murray, Li,
-/// Sastry 1994, section 3.3.2), for one their first.
+/// Orientation of a tool that at most two rotary axes carry, which are not parallel: Rot(first) Rot(second)
+/// at_zero. This is Paden and Kahan's second subproblem for two axes (Murray, Li, Sastry 1994, section
+/// 3.3.2), and their first for one axis.
 class RotaryAxes {
   public:
-    using Angles = Eigen::Vector2d;  ///< Of the first and the second axis, rad; 0 where there is none.
+    using Angles = Eigen::Vector2d;  ///< Angles of the first and the second axis, rad; 0 if absent.
 
     struct Choice {
         Angles angles;
-        bool exact = true;  ///< The whole rotation is reached, not the tool's axis alone.
+        bool exact = true;  ///< True if the full rotation is reached, not only the tool axis.
     };
 
     /// `axes` are unit vectors, at most two and not parallel.
@@ -24,16 +24,16 @@ class RotaryAxes {
 
     int count() const { return static_cast<int>(axes_.size()); }
     Eigen::Matrix3d turned(const Angles& angles) const;
-    /// Rotation about the first axis (0) or the second (1).
+    /// Returns the rotation about the first axis (0) or the second (1).
     Eigen::Matrix3d turn(int axis, double angle_rad) const;
 
-    /// Angles that bring the tool into `rotation`. Two axes reach two of three degrees of orientation: a
-    /// rotation that they reach (to 1e-6) is reached exactly; else, and besides, the tool's axis (Z) is
-    /// matched, to 1e-6. An angle that makes no difference to that has its value in `near`. Without a choice
-    /// the tool's axis is out of reach.
+    /// Returns angles that bring the tool into `rotation`. Two axes reach two of three degrees of
+    /// orientation. A rotation that they reach (to 1e-6) is reached exactly. Further solutions, or otherwise
+    /// all of them, match the tool axis (Z), to 1e-6. An angle without influence on that has its value in
+    /// `near`. An empty result means that the tool axis is out of reach.
     std::vector<Choice> choices(const Eigen::Matrix3d& rotation, const Angles& near) const;
 
-    /// Why there is no choice, as a sentence.
+    /// Returns a message that explains why no solution exists.
     std::string out_of_reach(const Eigen::Vector3d& tool_axis) const;
 
   private:

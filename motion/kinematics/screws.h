@@ -10,8 +10,8 @@ namespace gsim::kinematics {
 /// Sine of the angle below which two directions count as parallel.
 inline constexpr double kParallel = 1e-9;
 
-/// A joint's axis in the world with all joints at zero, and the sense in which its value moves the tool
-/// against the work.
+/// Axis of a joint in the world with all joints at zero, and the direction in which its value moves the tool
+/// relative to the work.
 struct Screw {
     int joint = 0;
     rrs::JointKind kind = rrs::JointKind::prismatic;
@@ -19,10 +19,10 @@ struct Screw {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< On the axis, mm.
 };
 
-/// A chain as a product of exponentials (Murray, Li, Sastry: A Mathematical Introduction to Robotic
-/// Manipulation, 1994, section 3.2). With W and T the work and tool frames at zero, the tool's pose in the
-/// work frame is W^-1 exp(s1 q1) ... exp(sn qn) T. Joints of the work's side come first, the one next to the
-/// work before all, with their directions reversed: they move the world against the work.
+/// Chain as a product of exponentials (Murray, Li, Sastry: A Mathematical Introduction to Robotic
+/// Manipulation, 1994, section 3.2). The tool pose in the work frame is W^-1 exp(s1 q1) ... exp(sn qn) T,
+/// with W and T the work and tool frames at zero. Joints of the work side come first, starting with the one
+/// next to the work. Their directions are reversed, because they move the world relative to the work.
 struct ScrewChain {
     std::vector<Screw> screws;
     rrs::CartPos work_at_zero;

@@ -23,7 +23,7 @@ bool inside(const JointRange& range, double value) {
     return value >= range.min - kRangeTolerance && value <= range.max + kRangeTolerance;
 }
 
-// The nearest to `near` of the angles that differ from `angle` in whole turns and lie in range.
+// Returns the angle nearest to `near` among those that differ from `angle` by full turns and are in range.
 double turned_near(const JointRange& range, double near, double angle) {
     const double closest = angle + kTurn * std::round((near - angle) / kTurn);
     if (closest < range.min - kRangeTolerance) {

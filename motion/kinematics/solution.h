@@ -12,31 +12,31 @@ namespace gsim::kinematics {
 
 class Chain;
 
-/// Joint values that bring the tool to a pose, or its axis alone.
+/// Joint values that bring the tool, or only its axis, to a pose.
 struct Solution {
     rrs::JointPos joints;
     bool exact = true;  ///< All of the pose is reached.
 };
 
-/// What inverse() and solutions() cannot work with, as a sentence: what is no pose (check_pose), or another
-/// number of joints.
+/// Returns a message if inverse() and solutions() cannot use the arguments: `pose` is no pose (check_pose),
+/// or the number of joints is different.
 std::optional<std::string> find_fault(const Chain& chain, const rrs::CartPos& pose,
                                       const rrs::JointPos& near);
 
-/// Whether a machine with these joints may have these ranges: one for each, min not above max; no ranges at
-/// all: unlimited. The error is a sentence.
+/// Returns a message if a machine with these joints cannot have these ranges. Each joint needs one, with min
+/// not above max; no ranges at all means unlimited.
 std::optional<std::string> find_fault(const Chain& chain, const std::vector<JointRange>& ranges);
 
-/// Turns the revolute joints of a solution by whole turns towards `near`: as close to it as the ranges let
-/// them, or where no turn is in range, to within half a turn.
+/// Turns the revolute joints of a solution by full turns towards `near`: as close to it as the ranges allow,
+/// or to within half a turn if no turn is in range.
 void turn_near(const Chain& chain, const std::vector<JointRange>& ranges, const rrs::JointPos& near,
                rrs::JointPos& joints);
 
-/// Whether all joints are in range, but for 1e-9 mm or rad.
+/// True if all joints are in range, to 1e-9 mm or rad.
 bool in_range(const std::vector<JointRange>& ranges, const rrs::JointPos& joints);
 
-/// The joint values of solutions in the order of Kinematics::solutions(); those that are equal (to 1e-6) but
-/// for whole turns once.
+/// Returns the joint values of solutions in the order of Kinematics::solutions(). Values that are equal (to
+/// 1e-6) except for full turns occur once.
 std::vector<rrs::JointPos> in_order(const Chain& chain, const std::vector<JointRange>& ranges,
                                     const rrs::JointPos& near, std::vector<Solution> solutions);
 

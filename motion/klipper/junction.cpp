@@ -9,7 +9,7 @@ namespace gsim::motion::klipper {
 
 namespace {
 
-/// A circle that touches both lines stands for the corner. It misses the corner by the junction deviation,
+/// A circle that touches both lines represents the corner. It misses the corner by the junction deviation,
 /// and touches each line within half of its length.
 double corner_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
     const double straight = position_of(setup, before.slope).dot(position_of(setup, move.slope));
@@ -23,7 +23,7 @@ double corner_cap(const PlannerSetup& setup, const QueuedMove& before, const Que
                      touch * before.full.change});
 }
 
-/// What comes out of a nozzle changes at once: each extruder stands a jump of its speed.
+/// The flow out of a nozzle changes at once, so each extruder tolerates a jump of its speed.
 double extruder_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
     double cap = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {

@@ -4,7 +4,7 @@
 
 namespace gsim::motion::klipper {
 
-/// Sets how fast both plans may pass from the one move to the other.
+/// Sets how fast both plans may pass from one move to the other.
 void join(const PlannerSetup& setup, const QueuedMove& before, QueuedMove& move);
 
 }  // namespace gsim::motion::klipper

@@ -43,7 +43,7 @@ Planned KlipperModel::add(const PathMove& move) {
     return planned;
 }
 
-/// A plan looks at all that is held. So it waits until as much has come as the last one left.
+/// A plan checks all pending moves. So it waits until as many have come as the last plan left.
 Planned KlipperModel::add_line(const PathMove& line) {
     auto move = klipper::queued_move(setup_, line);
     if (!move) return tl::unexpected(std::move(move.error()));
@@ -59,7 +59,7 @@ Planned KlipperModel::add_line(const PathMove& line) {
     return {};
 }
 
-/// The last chord of an arc may go nowhere.
+/// The last chord of an arc may have no length.
 void KlipperModel::reach_with_last(const PathMove& line) {
     if (queue_.empty() || queue_.back().target_id != line.target_id) return;
     queue_.back().reaches_target = line.reaches_target;

@@ -9,14 +9,14 @@
 
 namespace gsim::motion {
 
-/// The look-ahead of Klipper (klippy, 2026): straight ramps along the path, corners by a square corner
-/// velocity and by the circle that fits into short moves, and a minimum cruise ratio, which a second plan
-/// with less acceleration keeps. Speeds and accelerations are the path's; an axis lowers them by its share of
-/// the way. Prismatic joints beside the tool's path are extruders: see queued_move.cpp.
+/// Look-ahead of Klipper (klippy, 2026): straight ramps along the path, and corners by a square corner
+/// velocity and by the circle that fits into short moves. A second plan with less acceleration keeps a
+/// minimum cruise ratio. Speeds and accelerations are those of the path; an axis lowers them by its share of
+/// the distance. Prismatic joints outside the tool path are extruders: see queued_move.cpp.
 ///
-/// The look-ahead has no end. Moves leave as soon as nothing that can follow changes them, so what is held is
-/// about what the machine needs to brake. Arcs become chords of at least arc_resolution_mm. What the operator
-/// turns an override to is not followed: with Klipper that is a command of the program's stream (M220).
+/// The look-ahead has no fixed end. Moves leave as soon as no later move can change them, so the pending part
+/// is about what the machine needs to brake. Arcs become chords of at least arc_resolution_mm. Override
+/// changes by the operator are not followed: in Klipper that is a command of the program's stream (M220).
 class KlipperModel final : public MotionModel {
   public:
     /// Both must outlive the model.
@@ -36,7 +36,7 @@ class KlipperModel final : public MotionModel {
     SegmentOutput& output_;
     std::deque<klipper::QueuedMove> queue_;
     std::size_t plan_at_;    ///< Length of the queue at which it is planned next.
-    double top_before_ = 0;  ///< Squared cruising speed of the last move that was put out,
+    double top_before_ = 0;  ///< Squared cruising speed of the last move that was output,
     double speed_ = 0;       ///< and the speed at its end.
 };
 

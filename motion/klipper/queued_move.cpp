@@ -21,7 +21,7 @@ JointRole lead_role(const JointChanges& changes) {
     return JointRole::rotary;
 }
 
-/// Klipper measures a move of extruders alone by the one that goes farthest.
+/// Klipper measures a move of only extruders by the one that moves farthest.
 double length_of(const PlannerSetup& setup, const JointChanges& changes, JointRole lead) {
     if (lead != JointRole::secondary) return changes.norm(lead);
     double length = 0;
@@ -31,8 +31,8 @@ double length_of(const PlannerSetup& setup, const JointChanges& changes, JointRo
     return length;
 }
 
-/// An extruder's own limits are for drawing filament back, and for pushing it where the tool does not go
-/// across; what it lays down on the way the tool's speed decides.
+/// An extruder's own limits apply to retraction, and to extrusion while the tool does not move across. The
+/// tool's speed determines what the extruder lays down along the path.
 bool is_limited(const PlannerSetup& setup, const QueuedMove& move, int joint) {
     if (setup.role(joint) != JointRole::secondary || move.slope[joint] < 0) return true;
     const auto moves = [&](int axis) {
@@ -52,7 +52,7 @@ void limit_by_joints(const PlannerSetup& setup, QueuedMove& move, LeadPath& lead
     }
 }
 
-/// Klipper's G0 is its G1: the path's limits are those of rapids, too.
+/// Klipper treats G0 like G1, so the path limits also apply to rapids.
 double path_acceleration(const PlannerSetup& setup, const PathMove& line) {
     return std::min(line.rules.path_acceleration_mm_s2, setup.path.max_acceleration_mm_s2);
 }

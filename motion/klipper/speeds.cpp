@@ -8,14 +8,14 @@ namespace {
 
 using Queue = std::deque<QueuedMove>;
 
-/// How far the entries of the two plans are known for good.
+/// Part of the entries of the two plans that is final.
 struct Known {
     std::size_t full = 0;    ///< Those of the moves up to this one,
     std::size_t smooth = 0;  ///< and of this one also that it speeds up.
 };
 
-/// Further moves raise what an entry can be brought down from, and nothing else. So one that its cap holds
-/// down is final, and with it all before it.
+/// Further moves can only raise the entry speed from which braking is possible. So an entry limited by its
+/// cap is final, and so are all entries before it.
 Known go_back(Queue& queue) {
     Known known;
     double full = 0, smooth = 0;
@@ -31,7 +31,7 @@ Known go_back(Queue& queue) {
     return known;
 }
 
-/// The greatest squared speed of a plan between two squares.
+/// Returns the highest squared speed of a plan between two squared speeds.
 double peak_of(const Plan& plan, double next_entry) {
     return (plan.entry + next_entry + plan.change) / 2;
 }
@@ -43,8 +43,7 @@ std::size_t plan_speeds(Queue& queue, double top_before) {
     std::size_t final_end = 0;
     double next_full = 0, next_smooth = 0, peak = 0;
     bool next_speeds_up = true;
-    std::size_t falls_end =
-        queue.size();  // of the moves behind the one that is looked at that only slow down
+    std::size_t falls_end = queue.size();  // end of the moves after the checked one that only slow down
     for (std::size_t i = queue.size(); i-- > 0;) {
         QueuedMove& move = queue[i];
         move.speeds_up = move.smooth.entry < next_smooth + move.smooth.change;

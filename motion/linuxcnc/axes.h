@@ -7,7 +7,7 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// X, Y and Z among the joints: the axes in which corners are judged. An absent axis stands at 0 and has no
+/// X, Y and Z among the joints: the axes in which corners are judged. An absent axis is at 0 and has no
 /// limits.
 class Axes {
   public:
@@ -20,7 +20,8 @@ class Axes {
     Eigen::Vector3d point(const rrs::JointPos& joints) const;
     void put(const Eigen::Vector3d& point, rrs::JointPos& joints) const;
 
-    /// The greatest of something within the plane across `normal`, of which each axis can do `limits`.
+    /// Returns the largest magnitude in the plane across `normal` of a quantity for which each axis has its
+    /// value in `limits`.
     static double in_plane(const Eigen::Vector3d& limits, const Eigen::Vector3d& normal);
 
   private:

@@ -9,10 +9,10 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// The speeds of a blend arc and the radius at which they can be driven.
+/// Speeds of a blend arc and the radius at which they are possible.
 struct BlendSpeeds {
     double half_angle_rad = 0;  ///< Half of the angle between the legs.
-    double tolerance_mm = 0;    ///< How far the arc may stay away from the corner.
+    double tolerance_mm = 0;    ///< Max distance of the arc from the corner.
     double acceleration = 0;
     double requested_speed = 0;
     double speed = 0;
@@ -26,11 +26,12 @@ struct BlendCircle {
     double cut_after = 0;   ///< Off the begin of the leg after.
 };
 
-/// Speeds and radius within both legs' room and tolerances; nothing where the corner is none.
+/// Returns speed and radius within the lengths and tolerances of both legs, or nullopt if they form no
+/// corner.
 std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after, const Corner& corner,
                                         const Leg& leg_before, const Leg& leg_after, const Axes& axes);
 
-/// Where the circle lies; nothing where none fits.
+/// Returns the position of the circle, or nullopt if none fits.
 std::optional<BlendCircle> blend_circle(const Corner& corner, const Leg& before, const Leg& after,
                                         const BlendSpeeds& speeds);
 

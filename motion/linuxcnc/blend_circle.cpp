@@ -16,13 +16,14 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// How far the centre of the blend lies from that of the leg's circle, which it touches from inside or
+// Returns the distance of the blend's centre from that of the leg's circle, which it touches from inside or
 // outside.
 double center_distance(const Leg& leg, double blend_mm) {
     return leg.bends_along ? leg.radius_mm - blend_mm : leg.radius_mm + blend_mm;
 }
 
-// The angle at the centre of the leg's circle between the corner and the point in which the blend touches.
+// Returns the angle at the centre of the leg's circle between the corner and the point at which the blend
+// touches.
 double cut_of(const Leg& leg, const Corner& corner, const Vector3d& blend_center) {
     return angle_between(corner.point - leg.center, blend_center - leg.center);
 }
@@ -37,8 +38,9 @@ BlendCircle between_lines(const Corner& corner, const BlendSpeeds& speeds) {
     return {corner.point + inwards * (speeds.radius_mm / std::sin(speeds.half_angle_rad)), cut_mm, cut_mm};
 }
 
-// How far from the corner a circle touches a line that leads away from it along `outwards`, if the circle
-// touches that of the other leg, too. `inwards` is the line's normal towards the inside of the corner.
+// Returns the distance from the corner to the point at which a circle touches a line that leads away along
+// `outwards`. The circle must also touch that of the other leg. `inwards` is the line's normal towards the
+// inside of the corner.
 std::optional<double> cut_of_line(const Leg& arc, const Corner& corner, const Vector3d& outwards,
                                   const Vector3d& inwards, double radius_mm) {
     const Vector3d to_center = arc.center - corner.point;
@@ -75,7 +77,7 @@ std::optional<BlendCircle> arc_then_line(const Corner& corner, const Leg& before
     return circle;
 }
 
-// The centre has its distance from both centres; of the two such points, the one nearer to the corner.
+// The centre has its distance from both centres. Two points meet this; the one nearer to the corner is used.
 std::optional<Vector3d> center_between(const Corner& corner, const Leg& before, const Leg& after,
                                        double radius_mm) {
     const Vector3d apart = after.center - before.center;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOnePlane = 1e-6;
 constexpr double kNothing_mm = 1e-9;
-constexpr double kGapPeriods = 4;       // a shorter rest of a line is no move of its own
+constexpr double kGapPeriods = 4;       // a shorter remainder of a line is no separate move
 constexpr double kTangentShare = 0.25;  // of the acceleration across, for arcs that do not quite touch
 
 bool parallel(const Vector3d& a, const Vector3d& b) {
@@ -23,7 +23,7 @@ Vector3d normal_of(const Piece& arc) {
     return arc.arc.u.cross(arc.arc.v);
 }
 
-// A helix climbs out of its plane, so none makes a corner with a blend arc.
+// A helix climbs out of its plane, so it makes no corner with a blend arc.
 bool in_one_plane(const Piece& before, const Piece& after, const Corner& corner) {
     return (!before.curved || parallel(normal_of(before), corner.normal)) &&
            (!after.curved || parallel(normal_of(after), corner.normal));
@@ -45,7 +45,7 @@ Vector3d start_after_cut(const Piece& piece, const Corner& corner, double cut) {
     return piece.curved ? piece.arc.at(cut) : corner.point + cut * corner.out;
 }
 
-// About the centre from one point to the other, which are as far away from it, the short way round.
+// Makes the shorter arc about the centre from one point to the other, which are equally far from it.
 Arc arc_between(const Vector3d& center, const Vector3d& start, const Vector3d& end) {
     const Vector3d from = start - center, to = end - center;
     Arc arc;
@@ -60,7 +60,7 @@ Arc arc_between(const Vector3d& center, const Vector3d& start, const Vector3d& e
     return arc;
 }
 
-// An arc has been compared with its room.
+// The angle of an arc has already been checked.
 bool fits(const Piece& piece, double cut) {
     return piece.curved || cut <= piece.length + kNothing_mm;
 }
@@ -95,7 +95,7 @@ void set_blend_limits(Piece& piece, const Piece& before, const Piece& after, con
     piece.acceleration_limit = {LimitKind::centripetal, -1};
 }
 
-// A short rest of a line that would be no move of its own goes into the blend.
+// A short remainder of a line that would be no separate move becomes part of the blend.
 void take_rest_of_line(Blend& blend, const Piece& before, double period_s) {
     const double rest = before.length - blend.cut_before;
     if (before.curved || before.after_parabola) return;

@@ -8,19 +8,20 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A blend arc that could stand between two pieces.
+/// Blend arc that could be inserted between two sub-segments.
 struct Blend {
     Piece piece;
     double cut_before = 0;  ///< As in BlendCircle.
     double cut_after = 0;
-    bool takes_before = false;  ///< What is left of the line before is so short that it becomes a part of it.
+    bool takes_before =
+        false;  ///< True if the remainder of the previous line is so short that the blend takes it.
 };
 
-/// The blend arc between two pieces that move X, Y and Z alone; nothing where none fits.
+/// Returns the blend arc between two sub-segments that move only X, Y and Z, or nullopt if none fits.
 std::optional<Blend> blend_between(const Piece& before, const Piece& after, const Corner& corner,
                                    const Axes& axes, const Planning& planning);
 
-/// Cuts off both pieces what the blend takes.
+/// Cuts off both sub-segments what the blend uses.
 void make_room(const Blend& blend, const Axes& axes, Piece& before, Piece& after);
 
 }  // namespace gsim::motion::linuxcnc

@@ -18,7 +18,7 @@ double tolerance_of(const Piece& piece) {
     return piece.tolerance_mm > 0 ? std::min(piece.tolerance_mm, share) : share;
 }
 
-// The speed at which the change from one line's limits to the other's is the tightest.
+// Returns the speed at which the change from one line's limits to the other's is the tightest.
 double turning_speed(const Piece& before, const Piece& after, const Leg& leg_before, const Leg& leg_after,
                      double turn_rad) {
     const double shared = std::cos(std::min(turn_rad, 0.49 * std::numbers::pi));
@@ -32,7 +32,8 @@ double wanted_speed(const Piece& piece) {
     return std::min(piece.requested_speed, piece.max_speed);
 }
 
-// LinuxCNC does not know what a spindle will ask for and plans for the most (tcGetMaxTargetVel() in tc.c).
+// LinuxCNC does not know the speed that a spindle will request and plans for the maximum (tcGetMaxTargetVel()
+// in tc.c).
 double planned_speed(const Piece& piece) {
     return piece.follows_spindle ? piece.max_speed : wanted_speed(piece);
 }
@@ -67,7 +68,7 @@ std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after,
     blend.speed = std::min(std::sqrt(across * widest_mm), goal);
     const double jerk = std::min({before.jerk, after.jerk, before.path_jerk, after.path_jerk});
     if (std::isfinite(jerk)) blend.speed = std::min(blend.speed, peak_speed(widest_mm, across, jerk));
-    // The arc is as long as the speed needs to be turned, or to be reached.
+    // The arc must be long enough to turn at this speed, or to reach it.
     const double along = blend.acceleration / 2;
     const double ramp_s = std::min(std::sqrt(2 * along * cut_mm), blend.speed) / along;
     blend.radius_mm =

@@ -25,8 +25,8 @@ double radius_slope(const Arc& arc) {
     return (arc.end_radius_mm - arc.radius_mm) / arc.sweep_rad;
 }
 
-// The circle that fits the arc at its end in the corner, and what of it the blend may take: `share_rad`, and
-// no more than the corner's shape allows.
+// Fits a circle to the arc at its end in the corner. The blend may use `share_rad` of it, and no more than
+// the corner's shape allows.
 void fit_circle(Leg& leg, const Corner& corner, const Vector3d& center, bool bends_along, double share_rad) {
     leg.curved = true;
     leg.center = center;

@@ -7,29 +7,30 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// The corner between two pieces in X, Y, Z.
+/// Corner between two sub-segments in X, Y, Z.
 struct Corner {
     Eigen::Vector3d point;
-    Eigen::Vector3d in;   ///< Unit tangent of the way to the corner.
-    Eigen::Vector3d out;  ///< Unit tangent of the way from it.
-    /// Unit normal of the plane of both, about which the way turns counter-clockwise; 0 where there is none.
+    Eigen::Vector3d in;   ///< Unit tangent of the path to the corner.
+    Eigen::Vector3d out;  ///< Unit tangent of the path from it.
+    /// Unit normal of the plane of both, about which the path turns counter-clockwise; 0 if undefined.
     Eigen::Vector3d normal;
-    double half_angle_rad;  ///< Half of the angle between the two legs: pi/2 where the way goes on straight.
+    double half_angle_rad;  ///< Half of the angle between the two legs: pi/2 if the path continues straight.
 };
 
 Corner corner_between(const Piece& before, const Piece& after, const Axes& axes);
 
-/// One leg of a corner as a blend arc sees it.
+/// Leg of a corner as a blend arc uses it.
 struct Leg {
     bool curved = false;
-    /// Unit vector of travel that counts for the blend: the tangent, or the chord of an arc that bends along.
+    /// Unit vector of travel that counts for the blend: the tangent, or the chord of an arc that curves in
+    /// the sense of the corner.
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-    double half_angle_rad = 0;                         ///< Of the corner as this leg makes it.
-    double room_mm = 0;                                ///< How much of it the blend may take.
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Of an arc, in the plane of the corner.
+    double half_angle_rad = 0;                         ///< Half angle of the corner for this leg.
+    double room_mm = 0;                                ///< Length that the blend may use.
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Centre of an arc, in the plane of the corner.
     double radius_mm = 0;
     bool bends_along = false;  ///< The arc turns as the corner does: the blend lies within its circle.
-    double room_rad = 0;       ///< How much of the arc the blend may take.
+    double room_rad = 0;       ///< Angle of the arc that the blend may use.
 };
 
 Leg leg_before(const Piece& piece, const Corner& corner);

@@ -6,14 +6,14 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A piece in the queue with what timing adds to it.
+/// Queued sub-segment with its timing data.
 struct HeldPiece {
     Piece piece;
     Law law;
     LimitedBy limited_by;
-    bool ends_group = false;  ///< Comes to rest.
-    double shared_s = 0;      ///< At its end the next group of pieces moves, too, for so long.
-    double written_s = 0;     ///< So much of it has been put out.
+    bool ends_group = false;  ///< True if it stops.
+    double shared_s = 0;      ///< Time at its end in which the next group also moves.
+    double written_s = 0;     ///< Time of it that has been output.
     double nearest_mm = 0;    ///< To the corner at its end, while the next group moves, too.
     bool shares_end = false;  ///< nearest_mm has been looked for.
 

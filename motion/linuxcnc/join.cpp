@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A kink that takes less than this share of an axis' acceleration in a period is passed at full speed.
+// A tangent discontinuity that takes less than this share of an axis' acceleration in a period is passed at
+// full speed.
 constexpr double kKinkShare = 0.1;
 constexpr double kReversal_rad = 2 * kRadPerDeg;
 
@@ -46,7 +47,8 @@ double shared_speed(const Piece& before, const Piece& after, double most_share) 
     return std::min({most(before), before.max_speed, most(after), after.max_speed});
 }
 
-// The greatest share of an axis' acceleration that the kink takes if it is passed at `speed` within a period.
+// Returns the largest share of an axis' acceleration that the tangent discontinuity takes if it is passed at
+// `speed` within a period.
 double kink_share(const Piece& before, const Piece& after, const Corner& corner, double speed,
                   const Axes& axes, double period_s) {
     const double change = speed / period_s + after.full_acceleration;
@@ -56,7 +58,7 @@ double kink_share(const Piece& before, const Piece& after, const Corner& corner,
     return before.curved || after.curved ? greatest / kTangentialShare : greatest;
 }
 
-// In continuous mode the fastest of three ways round the corner is taken.
+// Continuous mode uses the fastest of three methods to pass the corner.
 std::optional<Blend> join_fastest(Piece& before, Piece& after, const Corner& corner, const Axes& axes,
                                   const JoinRules& rules) {
     const double parabola = parabola_between(before, after).net_speed / 2;

@@ -8,15 +8,15 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// What junctions are decided by, besides the pieces.
+/// Rules for junctions, in addition to the sub-segments.
 struct JoinRules {
     Planning planning;
     bool stop_between_rapid_and_feed = true;
-    double most_share = 1;  ///< Of the programmed speed, that the operator could ask for.
+    double most_share = 1;  ///< Share of the programmed speed that the operator could set at most.
 };
 
-/// Decides how `before` ends and how `after` starts: sets both pieces' terms and kinks. Where a blend arc is
-/// to stand between them it is answered, and both have been cut.
+/// Decides how `before` ends and how `after` starts: sets the terms and tangent discontinuities of both
+/// sub-segments. Returns the blend arc to insert between them, if any; both have then been cut.
 std::optional<Blend> join(Piece& before, Piece& after, const Axes& axes, const JoinRules& rules);
 
 }  // namespace gsim::motion::linuxcnc

@@ -16,7 +16,7 @@ double speed(const LawPiece& piece, double t_s) {
     return std::max(0.0, piece.v0 + t_s * (piece.a0 + t_s * piece.jerk / 2));
 }
 
-// Where the jerk is not 0: by halves, as ways only grow.
+// The jerk is not 0 here. Bisection works because distances only grow.
 double time_by_halves(const LawPiece& piece, double length) {
     constexpr int kSteps = 60;
     double low = 0, high = piece.duration_s;
@@ -27,7 +27,7 @@ double time_by_halves(const LawPiece& piece, double length) {
     return high;
 }
 
-// The time that the piece needs for a way within it, in the form that does not cancel.
+// Returns the time that the part needs for a distance within it, in the form without cancellation.
 double time_for(const LawPiece& piece, double length) {
     if (piece.jerk != 0) return time_by_halves(piece, length);
     const double square = std::max(0.0, piece.v0 * piece.v0 + 2 * piece.a0 * length);

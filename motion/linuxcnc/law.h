@@ -7,7 +7,7 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A time law under construction: pieces of constant acceleration or jerk, one after the other, from 0 on.
+/// Time law under construction: parts of constant acceleration or jerk, one after the other, from 0 on.
 class Law {
   public:
     double duration_s() const { return duration_s_; }
@@ -16,24 +16,24 @@ class Law {
     double end_speed() const;
     double end_acceleration() const;
 
-    /// Pieces without duration are left out.
+    /// Adds a part. Parts without duration are left out.
     void add(double duration_s, double speed, double acceleration, double jerk = 0);
     void rest(double duration_s) { add(duration_s, 0, 0); }
-    /// What `other` does, behind this.
+    /// Appends the motion of `other`.
     void append(const Law& other);
 
-    /// Where it is at a time, and when it is somewhere, within the law.
+    /// Returns the distance at a time, or the time at a distance, within the law.
     double at(double t_s) const;
     double time_at(double length) const;
-    /// The speed at a time within the law.
+    /// Returns the speed at a time within the law.
     double speed_at(double t_s) const;
-    /// The law from one time to another; counted from 0 again.
+    /// Returns the law from one time to another, counted from 0 again.
     Law part(double from_s, double to_s) const;
-    /// The law with its lengths multiplied by `scale`.
+    /// Returns the law with its lengths multiplied by `scale`.
     TimeLaw scaled(double scale) const;
-    /// The same, so that it leads over `length`.
+    /// Returns the law scaled so that it covers `length`.
     Law over(double length) const;
-    /// The same way, but to rest so much sooner.
+    /// Returns a law over the same distance that stops `by_s` earlier.
     Law sooner(double by_s) const;
 
   private:

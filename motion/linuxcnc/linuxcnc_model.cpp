@@ -41,7 +41,7 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
       pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
       writer_(axes_, output) {}
 
-/// The way of a move that is too short to be made is made with the next line.
+/// The path of a move that is too short to be made is added to the next line.
 Planned LinuxcncModel::add(const PathMove& move) {
     if (!left_out_ || move.kind == SegmentKind::circular) return add_whole(move);
     PathMove line = move;
@@ -67,7 +67,7 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         take(*std::move(piece));
         return {};
     }
-    // LinuxCNC merges an arc that is hardly bent as two lines over its middle.
+    // LinuxCNC merges an arc of little curvature as two lines through its middle.
     if (move.kind == SegmentKind::circular) {
         const PathMove first = linuxcnc::line_to_middle(move, axes_);
         merge(first);
@@ -101,7 +101,7 @@ void LinuxcncModel::merge(const PathMove& line) {
     merged_.add(line);
 }
 
-/// A line that replaces ones that could be planned can be planned, or goes nowhere.
+/// A line that replaces plannable lines is plannable itself, or has no length.
 void LinuxcncModel::end_merged() {
     if (merged_.empty()) return;
     auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), planning_);

@@ -14,20 +14,19 @@
 
 namespace gsim::motion {
 
-/// The trajectory planner of LinuxCNC 2.9: straight ramps, tangent junctions passed at speed, corners rounded
-/// by blend arcs or by starting the next move while the last one comes to rest, stops in whole servo periods.
-/// It does what that controller does, which at blends takes single joints beyond their acceleration limits.
+/// Trajectory planner of LinuxCNC 2.9: straight ramps, tangent junctions passed at speed, corners rounded by
+/// blend arcs or by starting the next move while the last one stops, stops in full servo periods. It
+/// reproduces that controller, which takes single joints beyond their acceleration limits at blends.
 ///
-/// X, Y and Z are the position joints; moves of any other joint are passed by parabolic blends alone. Speeds
-/// are set by the joints' limits and the programmed ones; a move's path_acceleration counts, too, where it is
-/// finite. Lines that are merged into one have one segment, with the last one's target; a move that goes
-/// nowhere has none. With a servo period of 0 times are not counted in periods, and the rules that need one
-/// take 1 ms.
+/// X, Y and Z are the position joints; moves of any other joint are passed only by parabolic blends. Speeds
+/// are set by the limits of the joints and the programmed ones; a move's path_acceleration also counts if it
+/// is finite. Merged lines have one segment, with the last one's target; a move without motion has none.
+/// Times are not counted in periods if the servo period is 0, and the rules that need one use 1 ms.
 ///
-/// What the operator turns an override to is obeyed at once: the piece under way is cut there. Junctions keep
-/// their speeds, which count with the highest feed override that the controller takes.
+/// Override changes by the operator are obeyed at once: the active sub-segment is cut there. Junctions keep
+/// their speeds, which assume the highest feed override that the controller accepts.
 ///
-/// Held back are as many moves as the look-ahead is deep, and some more; the rest is put out.
+/// The pending moves are as many as the look-ahead is deep, and some more; the remainder is output.
 class LinuxcncModel final : public MotionModel {
   public:
     /// All must outlive the model.
@@ -58,7 +57,7 @@ class LinuxcncModel final : public MotionModel {
     linuxcnc::PieceQueue queue_;
     linuxcnc::Pacer pacer_;
     linuxcnc::Writer writer_;
-    std::optional<rrs::JointPos> left_out_;  ///< Where the moves since the last one made began.
+    std::optional<rrs::JointPos> left_out_;  ///< Start of the moves since the last one made.
 };
 
 }  // namespace gsim::motion

@@ -14,7 +14,7 @@ double square(double value) {
     return value * value;
 }
 
-// The square of the speed that piece `index` and the next one can have where they meet.
+// Returns the squared speed that sub-segment `index` and the next one can have at their junction.
 double cap(const PieceQueue& queue, std::size_t index) {
     const Piece& piece = queue[index].piece;
     double speed = std::min(piece.max_speed, queue[index + 1].piece.max_speed);
@@ -22,12 +22,12 @@ double cap(const PieceQueue& queue, std::size_t index) {
     return square(speed);
 }
 
-// The rise of the square of the speed over the piece at full acceleration.
+// Returns the rise of the squared speed over the sub-segment at full acceleration.
 double rise(const Piece& piece) {
     return 2 * acceleration(piece) * piece.length;
 }
 
-// The square of the speed at the start of the last piece that is seen.
+// Returns the squared speed at the start of the last sub-segment in view.
 double cautious(const Piece& last) {
     return std::min(square(target_speed(last)), rise(last) / 2);
 }
@@ -50,9 +50,9 @@ class Lowest {
 
 }  // namespace
 
-// Backwards, each junction's speed is the lesser of its cap and what the piece behind it can brake. Seen from
-// the first junction that is the least of all caps, each raised by the rises in between; so the look can
-// stop where the rises alone are more than the least so far.
+// The speed of each junction, computed backward, is the lesser of its cap and what the sub-segment after it
+// can brake. This is, for the first junction, the minimum of all caps, each raised by the rises in between.
+// So the search can stop if the rises alone exceed the minimum so far.
 JunctionSpeed junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon) {
     Lowest lowest(cap(queue, index));
     double rises = 0;
@@ -79,7 +79,7 @@ double top_alone(const Piece& piece) {
     return std::isfinite(piece.jerk) ? peak_speed(piece.length, acceleration(piece), piece.jerk) : kUnlimited;
 }
 
-// The speed at the start of a piece from which it can slow down to its end.
+// Returns the speed at the start of a sub-segment from which it can slow down to its end.
 double start_speed(const Piece& piece, double end_speed) {
     const double straight = std::sqrt(square(end_speed) + rise(piece));
     if (std::isinf(piece.jerk)) return straight;
@@ -91,7 +91,7 @@ void lower(JunctionSpeed& junction, double speed, LimitKind limit) {
     if (speed < junction.speed) junction = {speed, limit};
 }
 
-// At the start of the last piece that is seen.
+// Returns the speed at the start of the last sub-segment in view.
 JunctionSpeed last_speed(const Piece& last, bool stops, bool is_last) {
     if (stops) return {start_speed(last, 0), LimitKind::stop};
     JunctionSpeed junction{std::min(target_speed(last), std::sqrt(rise(last) / 2)),

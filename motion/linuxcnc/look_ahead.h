@@ -7,24 +7,24 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// The part of the queue that a junction's speed depends on.
+/// Part of the queue that determines a junction's speed.
 struct Horizon {
-    /// The piece that ends the tangent run in which the junction lies, if it is known.
+    /// Sub-segment that ends the tangent run of the junction, if it is known.
     std::optional<std::size_t> run_end;
-    bool run_end_is_last = false;  ///< Nothing follows in the queue.
+    bool run_end_is_last = false;  ///< True if the queue ends there.
     std::size_t depth = 1;         ///< Junctions that are looked at.
 };
 
-/// The speed at the tangent end of piece `index`, from which what follows can come to rest. Where the look
-/// stops within a run, the last piece seen is one that might have to stop by half.
+/// Speed at the tangent end of sub-segment `index`, from which the following ones can stop. The last
+/// sub-segment in view counts as one that might have to stop by half, if the search ends within a run.
 struct JunctionSpeed {
     double speed = 0;
     LimitKind limit = LimitKind::corner;  ///< corner, stop or look_ahead
 };
 JunctionSpeed junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon);
 
-/// The same with S-curves: a junction is passed without acceleration, and at no more than the highest speed
-/// that either of its pieces has from rest to rest.
+/// Returns the same with S-curves: a junction is passed without acceleration, and no faster than the highest
+/// speed that either of its sub-segments has from standstill to standstill.
 JunctionSpeed curved_junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon);
 
 }  // namespace gsim::motion::linuxcnc

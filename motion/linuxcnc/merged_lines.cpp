@@ -14,8 +14,8 @@ constexpr std::size_t kMostLines = 100;
 constexpr double kLevel = 1e-9;  // slope of a plane that counts as that of XY
 constexpr double kOneTurn_rad = 2 * std::numbers::pi + 1e-5;
 
-// The height over the chord tells how far an arc of one turn at most leads away from it. More turns are
-// always driven: LinuxCNC's own test forgets them, and would leave them out wherever what remains is flat.
+// The height over the chord shows how far an arc of at most one turn deviates from it. Arcs of more turns are
+// always driven: LinuxCNC's own test ignores full turns, and would leave them out if the remainder is flat.
 bool flat(const PathMove& move) {
     const Arc& arc = move.arc;
     if (arc.sweep_rad > kOneTurn_rad) return false;
@@ -23,7 +23,7 @@ bool flat(const PathMove& move) {
     return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
 }
 
-/// Whether a point is within `tolerance_mm` of the line that leads from `start` by `way`.
+/// True if a point is within `tolerance_mm` of the line from `start` by `way`.
 bool lies_within(double tolerance_mm, const Vector3d& point, const Vector3d& start, const Vector3d& way) {
     const Vector3d to_point = point - start;
     const double share = std::clamp(to_point.dot(way) / way.squaredNorm(), 0.0, 1.0);

@@ -8,23 +8,22 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// Whether lines may be merged with this one: a feed move in continuous mode with a merge tolerance, straight
+/// True if lines may be merged with this one: a feed move in continuous mode with a merge tolerance, straight
 /// or an arc in the XY plane so flat that it counts as two lines.
 bool may_merge(const PathMove& move);
 
-/// Lines, one after the other, that one straight line replaces: their ends lie within the merge tolerance
-/// of it.
+/// Successive lines that one straight line replaces: their ends are within the merge tolerance of it.
 class MergedLines {
   public:
     explicit MergedLines(const Axes& axes) : axes_(axes) {}
 
     bool empty() const { return ends_.empty(); }
-    /// Whether there are several.
+    /// True if several lines are merged.
     bool several() const { return ends_.size() > 1; }
-    /// Whether the line, or flat arc, that follows may become part of this one.
+    /// True if the line, or flat arc, that follows may become part of this one.
     bool accepts(const PathMove& line) const;
     void add(const PathMove& line);
-    /// The one line, with the target and the rules of the last one.
+    /// Returns the merged line, with the target and the rules of the last one.
     const PathMove& line() const { return line_; }
     void clear() { ends_.clear(); }
 
@@ -34,7 +33,7 @@ class MergedLines {
     PathMove line_;
 };
 
-/// The line from `start` to the end of `move`, or to the middle of its arc.
+/// Returns the line from `start` to the end of `move`, or to the middle of its arc.
 PathMove line_to_end(const PathMove& move, const rrs::JointPos& start);
 PathMove line_to_middle(const PathMove& move, const Axes& axes);
 

@@ -10,10 +10,11 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-constexpr double kShortRamp_s = 0.01;   // feed pieces that take less time than this are one ramp
+constexpr double kShortRamp_s = 0.01;   // feed sub-segments of less time than this are one ramp
 constexpr std::size_t kKeptPieces = 4;  // a group's end never starts to be shared earlier than with these
 
-// What kept the piece from being faster. `slowed_by` tells what limits the speed at its end.
+// Returns the limit that kept the sub-segment from being faster. `slowed_by` is the limit of the speed at its
+// end.
 LimitedBy limit_of(const Piece& piece, double share, const Law& law, bool from_rest, bool to_rest,
                    LimitKind slowed_by) {
     if (law.top_speed() >= target_speed(piece, share) * (1 - 1e-6)) {
@@ -25,10 +26,10 @@ LimitedBy limit_of(const Piece& piece, double share, const Law& law, bool from_r
 }
 
 constexpr double kNothingLeft = 1e-6;     // mm or degrees
-constexpr double kLeastShortened = 1000;  // times that: shorter ways are gone to their end
+constexpr double kLeastShortened = 1000;  // times that: shorter distances run to their end
 
-// LinuxCNC is done with an S-curve in the first period in which next to nothing of it is left. Without that
-// period's rest, behind `before_s`.
+// LinuxCNC ends an S-curve in the first period in which almost no distance remains. The returned law ends
+// with that period; `before_s` is the time before the law.
 Law without_creep(const Law& law, const Piece& piece, double before_s, double period_s) {
     const double nothing = kNothingLeft * (piece.path_limited ? 1 : kRadPerDeg);
     if (std::isinf(piece.jerk) || law.length() < kLeastShortened * nothing) return law;
@@ -62,7 +63,7 @@ void Pacer::clear() {
     *this = Pacer(depth_, clock_, planning_, *axes_);
 }
 
-// Each piece is looked at once: the next time the look goes on where it stopped.
+// Each sub-segment is checked once: the next search continues at the end of the last one.
 void Pacer::look_for_end(const PieceQueue& queue) {
     seen_ = std::max(seen_, next_);
     const auto tangent = [&](std::size_t index) {
@@ -72,7 +73,7 @@ void Pacer::look_for_end(const PieceQueue& queue) {
     end_known_ = seen_ < final_;
 }
 
-// At the end of a group the first piece of the next one must be known, too.
+// The first sub-segment of the next group must also be known at the end of a group.
 bool Pacer::can_time(const PieceQueue& queue) const {
     if (!end_known_) return next_ + depth_ < final_;
     const bool blends = seen_ == next_ && queue[next_].piece.term == Term::parabola;
@@ -131,7 +132,7 @@ Profile Pacer::pass_on(const PieceQueue& queue, LimitKind& slowed_by) const {
     return continued(start, from_speed_to_speed(stretch, from, end_speed));
 }
 
-// A group takes whole periods: what is left of the last one it rests.
+// A group takes full periods: it dwells for the remainder of the last one.
 Profile Pacer::last_of_group(const PieceQueue& queue) {
     Stretch stretch = stretch_of(queue[next_].piece);
     const bool late = blends_late(queue, next_);
@@ -166,7 +167,7 @@ void Pacer::end_group(PieceQueue& queue, const Profile& profile) {
     group_ = {};
 }
 
-// The next piece starts in the first period in which the last one, as it brakes, is slow enough.
+// The next sub-segment starts in the first period in which the last one, as it brakes, is slow enough.
 double Pacer::overlap_s(const PieceQueue& queue, const Profile& profile) const {
     const Piece& last = queue[next_ - 1].piece;
     const Piece& next = queue[next_].piece;

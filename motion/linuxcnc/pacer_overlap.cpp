@@ -1,5 +1,6 @@
-// Since release 2.10 a piece has its whole acceleration until the next one starts. From there on it has half
-// of it, which is too little for the rest of its way: it arrives with speed, and stops within a period.
+// A sub-segment has its full acceleration until the next one starts, since release 2.10. After that it has
+// half of it, which is too little for its remaining distance: it arrives with speed, and stops within a
+// period.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-// Of the speed at which it begins, what is gone by half of the acceleration when the way is.
+// Share of the initial speed that is lost, at half of the acceleration, when the distance is used up.
 constexpr double kLostShare = 1 - 1 / std::numbers::sqrt2;
 
 }  // namespace
@@ -22,8 +23,8 @@ bool Pacer::blends_late(const PieceQueue& queue, std::size_t index) const {
            index + 1 < queue.size();
 }
 
-/// How the next piece begins, if it is the first of its group and the last one is still under way, or with an
-/// acceleration.
+/// Returns how the next sub-segment begins, if it is the first of its group and the last one is still active,
+/// or if it begins with an acceleration.
 Law Pacer::started(const Piece& piece) const {
     Law start;
     if (group_.acceleration != 0 && std::isfinite(piece.jerk)) {
@@ -36,8 +37,8 @@ Law Pacer::started(const Piece& piece) const {
     return start;
 }
 
-/// The last piece of a group that comes to rest, with half of the acceleration from where the next one
-/// starts.
+/// Returns the profile of the last sub-segment of a group that stops, with half of the acceleration after the
+/// next one starts.
 Profile Pacer::to_late_blend(const PieceQueue& queue, const Profile& profile) const {
     const Piece& piece = queue[next_].piece;
     const Piece& next = queue[next_ + 1].piece;
@@ -52,7 +53,8 @@ Profile Pacer::to_late_blend(const PieceQueue& queue, const Profile& profile) co
     return late;
 }
 
-/// The acceleration of the next piece while it overlaps the last one, with whose speed its own rises.
+/// Returns the acceleration of the next sub-segment while it overlaps the last one. Its speed rises with the
+/// last one's speed.
 double Pacer::late_acceleration(const PieceQueue& queue) const {
     const Piece& last = queue[next_ - 1].piece;
     const Piece& next = queue[next_].piece;

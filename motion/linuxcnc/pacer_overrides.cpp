@@ -1,5 +1,5 @@
-// How the pacer follows the operator's overrides: each period the controller goes for the speed that they
-// ask for then.
+// Operator overrides in the velocity planner: in each period the controller aims at the speed that they
+// request then.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ Stretch Pacer::stretch_of(const Piece& piece) const {
             piece.jerk};
 }
 
-/// The motion of the next piece, or of the part of it that ends where an override is turned; the other part
-/// is then a piece behind it.
+/// Returns the motion of the next sub-segment, or of its part up to an override change. The other part is
+/// then a sub-segment after it.
 Profile Pacer::overridden_profile(PieceQueue& queue, LimitKind& slowed_by) {
     const double start_s = group_start_s_ + group_.duration_s;
     overrides_ = schedule_->at(start_s);
@@ -44,7 +44,7 @@ Profile Pacer::overridden_profile(PieceQueue& queue, LimitKind& slowed_by) {
     return cut_profile(queue, profile, next_s - start_s);
 }
 
-/// As hard as the piece can, to rest or to its end.
+/// Brakes as hard as the sub-segment can, to standstill or to its end.
 Profile Pacer::braking_profile(PieceQueue& queue) {
     const Piece& piece = queue[next_].piece;
     if (std::isfinite(piece.jerk)) return curved_braking_profile(queue);
@@ -72,7 +72,7 @@ Profile Pacer::curved_braking_profile(PieceQueue& queue) {
     return brakes;
 }
 
-/// The motion until `t_s` since its start, if the piece is then on its way.
+/// Returns the motion until `t_s` after its start, if the sub-segment is then on its path.
 Profile Pacer::cut_profile(PieceQueue& queue, const Profile& profile, double t_s) {
     if (!(t_s < profile.law.duration_s())) return profile;
     const double way = profile.law.at(t_s);
@@ -85,7 +85,7 @@ Profile Pacer::cut_profile(PieceQueue& queue, const Profile& profile, double t_s
     return part;
 }
 
-/// Cuts the next piece in two, which meet at speed.
+/// Cuts the next sub-segment into two, which meet at speed.
 void Pacer::split(PieceQueue& queue, double length) {
     queue.duplicate(next_);
     ++seen_;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStraight_rad = 0.001;  // a turn by less than twice this needs no tolerance
 
-// The speed that a piece reaches if it is to stop again.
+// Returns the speed that a sub-segment reaches if it has to stop again.
 double reached_speed(const Piece& piece, double acceleration, double share) {
     const double length = piece.settled ? piece.length : piece.length / 2;
     double speed = std::sqrt(acceleration * length);
@@ -28,9 +28,8 @@ double time_to_reach(double speed, double acceleration, const Piece& piece) {
     return std::isfinite(piece.jerk) ? ramp_s(0, speed, acceleration, piece.path_jerk) : speed / acceleration;
 }
 
-// The square root is LinuxCNC's own (calcSCurveSpeedWithT() in sp_scurve.c): speeds fall as the jerk grows,
-// and its units do not fit, so that it matters that LinuxCNC counts in degrees where rotary joints alone
-// move.
+// The square root is LinuxCNC's own (calcSCurveSpeedWithT() in sp_scurve.c). Speeds fall as the jerk grows,
+// and its units do not fit. So it matters that LinuxCNC counts in degrees if only rotary joints move.
 double reached_after(double time_s, double acceleration, const Piece& piece, double jerk) {
     const double straight = time_s * acceleration;
     if (std::isinf(jerk)) return straight;
@@ -38,7 +37,7 @@ double reached_after(double time_s, double acceleration, const Piece& piece, dou
     return std::min(straight, acceleration * std::sqrt(time_s * unit / jerk));
 }
 
-// The speed from which a stop takes the length that the tolerance leaves.
+// Returns the speed from which a stop takes the length that the tolerance leaves.
 double speed_within(double tolerance, double sharpness, double acceleration, double jerk) {
     if (std::isinf(jerk)) return 2 * std::sqrt(acceleration * tolerance / sharpness);
     const double root = std::cbrt(12 * tolerance / sharpness * std::sqrt(jerk));
@@ -49,7 +48,7 @@ Vector3d level_tangent(const Arc& arc, double phi_rad) {
     return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
 }
 
-// A line on which X, Y and Z rest counts as one along X.
+// A line without motion in X, Y and Z counts as one along X.
 Vector3d direction_of_line(const Piece& line) {
     return line.direction.isZero() ? Vector3d::UnitX() : line.direction;
 }
@@ -58,7 +57,7 @@ Vector3d end_direction_of(const Piece& piece) {
     return piece.curved ? level_tangent(piece.arc, piece.arc.sweep_rad) : direction_of_line(piece);
 }
 
-// An arc starts into the direction of its whole acceleration at half of its speed.
+// An arc starts in the direction of its full acceleration at half of its speed.
 Vector3d start_direction_of(const Piece& piece) {
     if (!piece.curved) return direction_of_line(piece);
     const double speed = piece.requested_speed / 2;
@@ -66,7 +65,7 @@ Vector3d start_direction_of(const Piece& piece) {
     return (whole_acceleration(piece) * level_tangent(piece.arc, 0) - across * piece.arc.u).normalized();
 }
 
-// The program's tolerance, in degrees where rotary joints alone move.
+// Returns the program's tolerance, in degrees if only rotary joints move.
 double parabola_tolerance(const Piece& piece) {
     return piece.path_limited ? piece.tolerance_mm : piece.tolerance_mm * kRadPerDeg;
 }

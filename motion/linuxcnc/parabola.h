@@ -4,15 +4,15 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A parabolic blend: the second piece starts from rest while the first comes to rest, when this is below the
-/// speed `before`.
+/// Parabolic blend: the second sub-segment starts from standstill while the first one stops, after this is
+/// below the speed `before`.
 struct Parabola {
-    double before = 0;     ///< Speed of the first piece when the second starts.
-    double after = 0;      ///< Speed of the second piece when the first is at rest.
-    double net_speed = 0;  ///< Of both together on the way round the corner; 0 where neither moves X, Y or Z.
+    double before = 0;     ///< Speed of the first sub-segment when the second starts.
+    double after = 0;      ///< Speed of the second sub-segment when the first has stopped.
+    double net_speed = 0;  ///< Speed of both together round the corner; 0 if neither moves X, Y or Z.
 };
 
-/// With these shares of the speeds that the pieces ask for.
+/// Returns the blend with these shares of the requested speeds of the sub-segments.
 Parabola parabola_between(const Piece& before, const Piece& after, double share_before = 1,
                           double share_after = 1);
 

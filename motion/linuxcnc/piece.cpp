@@ -42,7 +42,7 @@ Vector3d end_direction(const Piece& piece) {
     return piece.curved ? piece.arc.tangent(piece.arc.sweep_rad) : piece.direction;
 }
 
-// A spiral is measured by the mean of its pace at both ends.
+// The length of a spiral is the mean of its path length per angle at both ends.
 double way_length(const Arc& arc) {
     const double radial = (arc.end_radius_mm - arc.radius_mm) / arc.sweep_rad;
     const double pace = (std::hypot(arc.radius_mm, radial) + std::hypot(arc.end_radius_mm, radial)) / 2;
@@ -58,7 +58,8 @@ double effective_radius_mm(const Arc& arc) {
 
 namespace {
 
-// As if the acceleration across came within a period where the arc begins, and again where it ends.
+// The limit assumes that the normal acceleration comes within a period at the start of the arc, and again at
+// its end.
 double speed_by_jerk(const Piece& piece, double radius_mm, const Planning& planning) {
     const double turning =
         std::cbrt(radius_mm * radius_mm * piece.path_jerk * piece.arc.sweep_rad / (2 + piece.arc.sweep_rad));

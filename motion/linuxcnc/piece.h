@@ -11,22 +11,22 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// Share of the acceleration that an arc has along its way unless it is known to need less of it across.
+/// Share of the acceleration that an arc has along its path unless it is known to need less of it across.
 inline constexpr double kTangentialShare = 0.5;
-/// Share of the acceleration that an arc may take across its way.
+/// Share of the acceleration that an arc may use across its path.
 inline constexpr double kNormalShare = 0.86602540378443864676;
-/// Speeds are such that a piece takes this many periods at least, where it is passed without a stop.
+/// Minimum number of periods that a sub-segment takes if it is passed without a stop.
 inline constexpr double kLeastPeriods = 1.02;
 
-/// How a piece ends.
+/// End condition of a sub-segment.
 enum class Term : std::uint8_t {
-    stop,      ///< At rest (G61.1).
-    exact,     ///< At rest unless the path goes on straight (G61).
-    parabola,  ///< While it comes to rest the next one starts (G64).
+    stop,      ///< At standstill (G61.1).
+    exact,     ///< At standstill unless the path continues straight (G61).
+    parabola,  ///< The next one starts while it stops (G64).
     tangent,   ///< At the speed at which the next one starts.
 };
 
-/// A line or an arc with what limits the speed along it, in mm or, where only rotary joints move, in rad.
+/// Line or arc with the limits of the speed along it, in mm or, if only rotary joints move, in rad.
 struct Piece {
     rrs::TargetId target_id = 0;
     bool curved = false;  ///< Along `arc`; else straight from start to end in all joints.
@@ -34,11 +34,12 @@ struct Piece {
     ObeyedOverrides obeyed;
     bool follows_spindle = false;
     bool turns = false;        ///< Moves joints other than X, Y and Z.
-    bool path_limited = true;  ///< max_path_speed counts: not where rotary joints alone move.
+    bool path_limited = true;  ///< True if max_path_speed counts: not if only rotary joints move.
     rrs::JointPos start;
     rrs::JointPos end;
     Arc arc;
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< Of a line in X, Y, Z; 0 where these rest.
+    Eigen::Vector3d direction =
+        Eigen::Vector3d::Zero();  ///< Line direction in X, Y, Z; 0 if these do not move.
 
     double length = 0;
     double nominal_length = 0;  ///< Before anything was cut off for blend arcs.
@@ -46,50 +47,52 @@ struct Piece {
     double max_speed = 0;
     double max_path_speed = 0;
     double full_acceleration = 0;
-    double tangential_share = kTangentialShare;  ///< Of an arc.
-    double jerk = kUnlimited;                    ///< Of its ramps.
+    double tangential_share = kTangentialShare;  ///< Only for an arc.
+    double jerk = kUnlimited;                    ///< Jerk of its ramps.
     double path_jerk = kUnlimited;               ///< That of any path; across arcs, too.
-    double tolerance_mm = 0;                     ///< How far its corners may be cut; 0: as far as it comes.
+    double tolerance_mm = 0;                     ///< Tolerance for cutting its corners; 0: without limit.
 
     Term term = Term::stop;
-    bool after_parabola = false;  ///< Starts while the one before comes to rest.
+    bool after_parabola = false;  ///< True if it starts while the one before stops.
     bool after_tangent = false;   ///< Starts at the speed of the one before.
-    bool settled = false;         ///< What follows is known: lengths and limits are final.
-    double kink_speed = -1;       ///< At the end, where it limits the speed there; -1: it does not.
+    bool settled = false;         ///< True if the next one is known: lengths and limits are final.
+    double kink_speed = -1;       ///< Corner speed at the end if it limits the speed there; -1: no limit.
     double kink_at_start = 0;     ///< Shares of the acceleration that are kept for the kinks at its ends.
     double kink_at_end = 0;
 
     double lead_in = 0;  ///< Length of the straight line on which a blend arc begins.
     rrs::TargetId lead_in_id = 0;
-    double deviation_mm = 0;  ///< Of a blend arc: how far it passes from the corner.
+    double deviation_mm = 0;  ///< Distance of a blend arc from the corner.
     OffWay off_way = OffWay::no;
 
     LimitedBy speed_limit;
     LimitedBy acceleration_limit;
 };
 
-/// The acceleration that a piece has for its speed along and its curvature across the way.
+/// Returns the acceleration that a sub-segment has for both its speed along the path and its curvature across
+/// it.
 double whole_acceleration(const Piece& piece);
-/// The acceleration along the way, for which speeds are planned.
+/// Returns the acceleration along the path for which speeds are planned.
 double acceleration(const Piece& piece);
-/// The acceleration along the way while the piece moves alone.
+/// Returns the acceleration along the path while the sub-segment moves alone.
 double acceleration_alone(const Piece& piece, const Planning& planning);
-/// The speed that it goes at where nothing else slows it, with `share` of the speed that it asks for.
+/// Returns the speed that no other limit slows, with `share` of the requested speed.
 double target_speed(const Piece& piece, double share = 1);
 
-/// Unit tangents in X, Y, Z; 0 where these rest.
+/// Returns the unit tangent in X, Y, Z; 0 if these do not move.
 Eigen::Vector3d start_direction(const Piece& piece);
 Eigen::Vector3d end_direction(const Piece& piece);
 
-/// The length by which an arc is travelled.
+/// Returns the length by which an arc is travelled.
 double way_length(const Arc& arc);
-/// The radius of a circle that takes as much acceleration across as the arc does.
+/// Returns the radius of a circle that takes as much normal acceleration as the arc does.
 double effective_radius_mm(const Arc& arc);
 
-/// Lowers the speed of an arc to what its acceleration across allows, and tells its acceleration along.
+/// Lowers the speed of an arc to what its normal acceleration allows, and sets its acceleration along the
+/// path.
 void limit_on_arc(Piece& piece, const Planning& planning);
 
-/// Makes the limits final, when the piece that follows is known. Not done for the last one before a stop of
+/// Makes the limits final, after the next sub-segment is known. Not called for the last one before a stop of
 /// the queue.
 void settle(Piece& piece, const Planning& planning);
 

@@ -24,7 +24,7 @@ JointRole piece_role(const JointChanges& changes, bool curved) {
     return changes.norm(JointRole::secondary) > 0 ? JointRole::secondary : JointRole::rotary;
 }
 
-// The greatest of the joints' changes over their limits, and the joint that has it.
+// Largest change of a joint divided by its limit, and the joint that has it.
 struct Need {
     double value = 0;
     int joint = -1;
@@ -32,7 +32,7 @@ struct Need {
     void raise(double other, int by) {
         if (other > value) *this = {other, by};
     }
-    // The limit along a way of `length`; none where nothing needs any.
+    // Returns the limit along a path of `length`; unlimited if no joint needs one.
     double along(double length) const { return value > 0 ? length / value : kUnlimited; }
 };
 
@@ -43,7 +43,7 @@ struct Needs {
     bool jerk_free = false;  // a joint has no jerk limit
 };
 
-// Round an arc LinuxCNC asks X, Y and Z alone for their jerks.
+// LinuxCNC uses only the jerks of X, Y and Z round an arc.
 Needs needs_of(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
     Needs needs;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -59,7 +59,7 @@ Needs needs_of(const PlannerSetup& setup, const JointChanges& changes, bool curv
     return needs;
 }
 
-// The slowest axis of the arc's plane.
+// Returns the limit of the slowest axis in the arc's plane.
 double least_in_plane(const Vector3d& limits, const Arc& arc) {
     double least = kUnlimited;
     for (int axis = 0; axis < 3; ++axis) {
@@ -73,13 +73,13 @@ void limit_line(Piece& piece, const Needs& needs) {
     piece.full_acceleration = needs.acceleration.along(piece.length);
 }
 
-// The way round an arc, by the lesser of its radii.
+// Returns the path length round an arc, by the smaller of its radii.
 double way_round_mm(const Arc& arc) {
     const double radius_mm = std::min(arc.radius_mm, arc.end_radius_mm);
     return std::hypot(radius_mm * arc.sweep_rad, arc.end_radius_mm - arc.radius_mm);
 }
 
-// The chord counts for the joints, the way round for the axes of its plane.
+// The chord counts for the joints, the path round the arc for the axes of its plane.
 void limit_arc(Piece& piece, const Axes& axes, Needs& needs) {
     const Arc& arc = piece.arc;
     const double acceleration = least_in_plane(axes.max_acceleration_mm_s2(), arc);
@@ -134,11 +134,11 @@ void set_acceleration(Piece& piece, const PathMove& move, JointRole role, const 
         piece.full_acceleration = limit;
         piece.acceleration_limit = {LimitKind::path_acceleration, -1};
     }
-    // Where nothing limits it the speed is reached within a period.
+    // The speed is reached within a period if no limit applies.
     if (!std::isfinite(piece.full_acceleration)) piece.full_acceleration = piece.max_speed / period_s;
 }
 
-// As in LinuxCNC, where one joint without a limit leaves the whole move without S-curves.
+// One joint without a limit leaves the complete move without S-curves, as in LinuxCNC.
 void set_jerk(Piece& piece, JointRole role, const Needs& needs, const Planning& planning) {
     if (!planning.s_curves) return;
     piece.path_jerk = planning.path_jerk * (role == JointRole::rotary ? kRadPerDeg : 1);
@@ -163,7 +163,7 @@ bool has_speed(const PathMove& move, JointRole role) {
                                      : move.rules.programmed_speed_mm_s > 0;
 }
 
-// What a piece cannot be made of.
+// Rejects values from which no sub-segment can be made.
 Planned check_values(const PathMove& move, const Piece& piece, JointRole role) {
     if (!move.start.allFinite() || !move.end.allFinite() || !(piece.length < kUnlimited)) {
         return refused(rrs::Status::RRS_INVALID_PARAMETER, "The move is too long, or leads to no position.");

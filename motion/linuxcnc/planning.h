@@ -4,14 +4,14 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// What the planners of LinuxCNC's releases plan by.
+/// Planning parameters of LinuxCNC's releases.
 struct Planning {
-    double period_s = 1e-3;  ///< Of the controller's loop.
-    /// As release 2.10 does: pieces have their whole acceleration but while two of them overlap, and arcs are
-    /// slowed as soon as they are queued.
+    double period_s = 1e-3;  ///< Period of the controller loop.
+    /// True for release 2.10: sub-segments have their full acceleration except while two of them overlap, and
+    /// arcs are slowed as soon as they are queued.
     bool since_2_10 = false;
     bool s_curves = false;          ///< Ramps keep jerk limits (planner 1 of 2.10).
-    double path_jerk = kUnlimited;  ///< Of each piece, and across arcs.
+    double path_jerk = kUnlimited;  ///< Jerk per sub-segment, and across arcs.
 };
 
 }  // namespace gsim::motion::linuxcnc

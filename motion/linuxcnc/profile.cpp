@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSameLength = 1e-9;  // a shortfall that is rounding
 
-// Speeds in mm/s for one period of acceleration, lengths in mm for one period of that speed: in these units
-// the acceleration is 1 and a period takes 1.
+// Unit of speed in mm/s for one period of acceleration, and unit of length in mm for one period of that
+// speed. The acceleration is 1 in these units, and a period takes 1.
 struct Units {
     double time;
     double speed;
@@ -26,12 +26,12 @@ Units units_of(const Stretch& stretch, double period_s) {
     return {period_s, speed, speed * period_s, stretch.acceleration};
 }
 
-// The speed at the end of the next period from which the rest of the way suffices to brake.
+// Returns the speed at the end of the next period from which the remaining distance suffices to brake.
 double brake_speed(double speed, double way) {
     return std::sqrt(std::max(0.0, 2 * way - speed + 0.25)) - 0.5;
 }
 
-// Puts a law together period by period, in Units.
+// Builder of a law, period by period, in Units.
 class Counter {
   public:
     Counter(double way, const Units& units) : way_(way), units_(units) {}
@@ -53,7 +53,7 @@ class Counter {
         add(periods, 0);
         way_ -= periods * speed_;
     }
-    // Answers how many periods of full braking there are, which end within a period.
+    // Returns the number of periods of full braking, which end within a period.
     double brake() {
         const double from = brake_speed(speed_, way_);
         if (from < 0) return stop_within_period();
@@ -110,7 +110,7 @@ Law law_of(const TimeLaw& time_law) {
     return law;
 }
 
-// Whether there is a ramp from one speed to the other, with acceleration 0 at both ends.
+// True if a ramp from one speed to the other exists with acceleration 0 at both ends.
 bool has_curve(const Stretch& stretch, double start_speed, double end_speed) {
     return std::isfinite(stretch.jerk) && ramp_length(start_speed, end_speed, stretch.acceleration,
                                                       stretch.jerk) <= stretch.length * (1 + kSameLength);

@@ -6,8 +6,8 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A queue whose slots are used again: elements are put in behind, looked at by their index from the front,
-/// and leave at the front. It grows to the most that it ever held.
+/// Queue with reused slots: elements are added at the back, accessed by their index from the front, and
+/// removed at the front. It grows to the most elements that it ever held.
 template <class Element>
 class Ring {
   public:
@@ -20,13 +20,13 @@ class Ring {
     Element& front() { return (*this)[0]; }
     Element& back() { return (*this)[size_ - 1]; }
 
-    /// A new last element, with what its slot held before.
+    /// Returns a new last element, with the previous content of its slot.
     Element& push() {
         if (size_ == slots_.size()) grow();
         ++size_;
         return back();
     }
-    /// Makes the element at `index` two equal ones.
+    /// Duplicates the element at `index`.
     void duplicate(std::size_t index) {
         push();
         for (std::size_t i = size_ - 1; i > index; --i) (*this)[i] = (*this)[i - 1];

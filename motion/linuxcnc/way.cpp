@@ -12,7 +12,7 @@ double arc_scale(const Piece& piece) {
     return piece.arc.length_mm() / (piece.length - piece.lead_in);
 }
 
-// On the lead-in, or the whole of a line.
+// Applies to the lead-in, or to a full line.
 rrs::JointPos on_line(const Piece& piece, const Axes& axes, double length) {
     if (piece.lead_in <= 0) return piece.start + length / piece.length * (piece.end - piece.start);
     rrs::JointPos joints = piece.start;

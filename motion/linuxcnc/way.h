@@ -6,20 +6,20 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A part of a piece's way that is one line or one arc.
+/// Part of a sub-segment's path that is one line or one arc.
 struct WayPart {
     bool curved = false;
     rrs::JointPos start;
     rrs::JointPos end;
     Arc arc;
-    double length_mm = 0;  ///< 0 where rotary joints alone move.
-    double scale = 1;      ///< Length of the path over the length by which the piece is timed.
+    double length_mm = 0;  ///< 0 if only rotary joints move.
+    double scale = 1;      ///< Path length divided by the length that is used for timing.
 };
 
-/// The part between two lengths, both on the lead-in or both behind it.
+/// Returns the part between two lengths, both on the lead-in or both after it.
 WayPart way_part(const Piece& piece, const Axes& axes, double from, double to);
 
-/// The joints after a length of way.
+/// Returns the joints after a path length.
 rrs::JointPos joints_at(const Piece& piece, const Axes& axes, double length);
 
 }  // namespace gsim::motion::linuxcnc

@@ -17,7 +17,7 @@ bool done(const HeldPiece& held) {
     return held.left_s() <= kTimeRounding_s;
 }
 
-// The end of the part of the way on which the piece is at `from_s`.
+// Returns the end time of the part of the path on which the sub-segment is at `from_s`.
 double part_end_s(const HeldPiece& held, double from_s) {
     if (held.piece.lead_in > 0) {
         const double lead_in_s = held.law.time_at(held.piece.lead_in);
@@ -26,7 +26,8 @@ double part_end_s(const HeldPiece& held, double from_s) {
     return held.law.duration_s();
 }
 
-// The piece at an instant near to one of its ends or to the end of its lead-in is there.
+// Returns the distance at an instant. An instant near to one of the ends, or to the end of the lead-in,
+// counts as exactly there.
 double way_at(const HeldPiece& held, double t_s) {
     const double end_s = held.law.duration_s();
     if (t_s <= 0) return 0;
@@ -37,11 +38,11 @@ double way_at(const HeldPiece& held, double t_s) {
     return std::min(held.law.at(t_s), held.piece.length);
 }
 
-// The piece of the next group that moves while the front one comes to rest.
+// Sub-segment of the next group that moves while the front one stops.
 struct Partner {
-    std::optional<std::size_t> head = std::nullopt;     // none: not timed yet
-    const rrs::JointPos* corner = nullptr;              // where that group starts
-    std::optional<std::size_t> at_rest = std::nullopt;  // its last piece, where all of it has been put out
+    std::optional<std::size_t> head = std::nullopt;     // nullopt: not timed yet
+    const rrs::JointPos* corner = nullptr;              // start of that group
+    std::optional<std::size_t> at_rest = std::nullopt;  // its last sub-segment, if all of it has been output
 };
 
 Partner partner(PieceQueue& queue, std::size_t ready) {
@@ -58,13 +59,13 @@ bool leads_in(const HeldPiece& held, double to_s) {
     return held.piece.lead_in > 0 && way_at(held, to_s) <= held.piece.lead_in;
 }
 
-// A blend arc is the later move's; the line on which it begins is the earlier one's.
+// A blend arc belongs to the later move; the line on which it begins belongs to the earlier one.
 rrs::TargetId target_of(const HeldPiece& held, double to_s) {
     return leads_in(held, to_s) ? held.piece.lead_in_id : held.piece.target_id;
 }
 
-// Whether a piece's target is reached at an instant: where it ends or the next move starts, unless a blend
-// arc leads in on its line.
+// True if a sub-segment's target is reached at an instant: at its end or at the start of the next move,
+// unless a blend arc leads in on its line.
 bool ends_target(const HeldPiece& held, double to_s, const HeldPiece* next) {
     if (leads_in(held, to_s)) return way_at(held, to_s) >= held.piece.lead_in;
     if (to_s < held.law.duration_s() - held.shared_s - kTimeRounding_s) return false;
@@ -91,7 +92,7 @@ void shift_by(const rrs::JointPos& way, const Axes& axes, Segment& segment) {
     if (segment.kind == SegmentKind::circular) segment.arc.center += axes.point(way);
 }
 
-// How near the tool comes to the corner while two motions share their time.
+// Finds how near the tool comes to the corner while two motions overlap.
 void look_for_nearest(const Segment& segment, const Axes& axes, const rrs::JointPos& corner,
                       HeldPiece& tail) {
     constexpr int kSteps = 64;
@@ -155,7 +156,7 @@ void Writer::write_shared(PieceQueue& queue, std::size_t head_index, const rrs::
     }
 }
 
-// The next group, which started at the corner, stands at its end already: there the front one comes to rest.
+// The next group, which started at the corner, is already at its end. The front one stops there.
 void Writer::write_to_rest(PieceQueue& queue, std::size_t standing_index, const rrs::JointPos& corner) {
     HeldPiece& tail = queue.front();
     const HeldPiece& standing = queue[standing_index];
@@ -181,7 +182,7 @@ void Writer::put(const Span& span) {
     output_.finish();
 }
 
-// The earlier motion carries the later one, which has moved on since it started at the corner.
+// The earlier motion is shifted by the later one, which has moved on since it started at the corner.
 void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& corner) {
     const rrs::TargetId id = target_of(*head.held, head.to_s);
     Segment& segment = output_.begin(id);

@@ -8,26 +8,26 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// Puts timed pieces out as segments. Where two move at the same time there is a segment of both.
+/// Writer of timed sub-segments as segments. Two motions at the same time are written as a segment of both.
 class Writer {
   public:
     Writer(const Axes& axes, SegmentOutput& output) : axes_(axes), output_(output) {}
 
-    /// Puts out what it can of the first `ready` pieces and takes those that are done out of the queue;
-    /// answers how many. The end of a group that is shared waits for the pieces that share it, unless the
-    /// queue `ended`.
+    /// Outputs what it can of the first `ready` sub-segments, removes those that are done from the queue, and
+    /// returns their number. The end of a group that is shared waits for the sub-segments that share it,
+    /// unless the queue `ended`.
     std::size_t write(PieceQueue& queue, std::size_t ready, bool ended);
 
   private:
-    // Times of a piece between which it moves along one line or arc.
+    // Times of a sub-segment between which it moves along one line or arc.
     struct Span {
         HeldPiece* held;
         double from_s;
         double to_s;
-        const HeldPiece* next;  ///< The piece behind it, if there is one.
+        const HeldPiece* next;  ///< The sub-segment after it, if any.
     };
 
-    // Whether the front piece is done.
+    // Writes the front sub-segment. Returns true if it is done.
     bool write_front(PieceQueue& queue, std::size_t ready, bool ended);
     void write_alone(PieceQueue& queue, double until_s);
     void write_shared(PieceQueue& queue, std::size_t head_index, const rrs::JointPos& corner);

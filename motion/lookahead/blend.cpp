@@ -15,16 +15,16 @@ namespace {
 constexpr double kNoTurn = 1e-9;  // difference of slopes
 constexpr double kNoCut = 1e-10;  // mm or rad
 
-/// Something that turns at a corner, by length of way, and what limits how fast it may.
+/// Quantity that changes direction at a corner, per path length, and the limits of this change.
 struct Turn {
     double change;
     double acceleration;
     double jerk;
 };
 
-/// Norms of what turns.
+/// Norms of the direction changes.
 struct TurnNorms {
-    double lead = 0;  ///< Of the joints that lead.
+    double lead = 0;  ///< Norm of the master joints.
     double prismatic = 0;
     double rotary = 0;
 };
@@ -40,7 +40,7 @@ TurnNorms norms_of(const PlannerSetup& setup, JointRole lead, const rrs::JointPo
     return {std::sqrt(squares.lead), std::sqrt(squares.prismatic), std::sqrt(squares.rotary)};
 }
 
-/// All that limits the speed through a blend.
+/// Limits of the speed through a blend.
 class Turns {
   public:
     Turns(const PlannerSetup& setup, const Block& from, const Block& to, const rrs::JointPos& turn,
@@ -50,7 +50,7 @@ class Turns {
             add({std::abs(turn[joint]), limits.least_acceleration(),
                  setup.controller.limit_jerk ? limits.max_jerk : kUnlimited});
         }
-        // Along the way the acceleration is greatest at the ends of a blend, with half of the turn as its
+        // The acceleration along the path is largest at the ends of a blend, with half of the turn as its
         // share.
         const MoveRules& in = from.move.rules;
         const MoveRules& out = to.move.rules;
@@ -71,7 +71,7 @@ class Turns {
         return speed;
     }
 
-    /// The least cut for a speed.
+    /// Returns the smallest cut for a speed.
     double cut(double speed, bool smooth) const {
         double cut = 0;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -92,7 +92,7 @@ class Turns {
     std::size_t count_ = 0;
 };
 
-/// The cut that moves something which turns by `turn` off the corner by `tolerance`.
+/// Returns the cut that moves a quantity which turns by `turn` off the corner by `tolerance`.
 double cut_within(double tolerance, double turn, bool smooth) {
     return turn >= kNoTurn ? tolerance / (blend_share(smooth) * turn) : kUnlimited;
 }
@@ -107,7 +107,7 @@ double largest_cut(const PlannerSetup& setup, const Block& from, const Block& to
                      cut_within(controller.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
 }
 
-/// The ramps that both blocks can do, up and down.
+/// Ramps that both blocks can do, up and down.
 struct SharedRamp {
     SharedRamp(const Block& from, const Block& to)
         : acceleration(std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration})),
@@ -160,7 +160,7 @@ Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, do
 }
 
 double least_blend_speed(const Block& from, const Block& to) {
-    constexpr double kShare = 0.45;  // blends at the limits of joints are passed at half of it at least
+    constexpr double kShare = 0.45;  // blends at joint limits are passed at half of it at least
     const auto [acceleration, jerk] = SharedRamp(from, to);
     return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
 }

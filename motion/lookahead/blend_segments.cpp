@@ -8,7 +8,7 @@ namespace gsim::motion {
 
 namespace {
 
-/// The speed along each of the two ways in one half of a blend, a polynomial each.
+/// Speed along each of the two paths in one half of a blend, a polynomial each.
 struct HalfLaws {
     TimeLaw leaving;
     TimeLaw entering;
@@ -30,7 +30,7 @@ HalfLaws second_half(bool smooth, double speed, double half_s) {
     return {law_of({half_s, 0, speed / 2, -a0, jerk}), law_of({half_s, 0, speed / 2, a0, -jerk})};
 }
 
-/// Ends of the parts of both lines that are passed in one half, by their lengths of way.
+/// Ends of the parts of both lines that are passed in one half, as path lengths.
 struct HalfWays {
     double leaving_from, leaving_to;
     double entering_from, entering_to;

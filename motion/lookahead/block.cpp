@@ -19,7 +19,8 @@ namespace gsim::motion {
 
 namespace {
 
-/// Greatest change of each joint by length of way, all along it; 0 for those of an orientation arc.
+/// Returns the largest change of each joint per path length, all along the path; 0 for the joints of an
+/// orientation arc.
 rrs::JointPos shares_of(const PathMove& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();
     if (move.orientation) shares[move.orientation->turn_joint()] = shares[move.orientation->tilt_joint()] = 0;
@@ -53,18 +54,18 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
     }
 }
 
-/// How far the joints other than the rotary ones go, mm.
+/// Returns how far the joints other than the rotary ones move, mm.
 double linear_way(const JointChanges& changes) {
     return std::hypot(changes.norm(JointRole::position), changes.norm(JointRole::secondary));
 }
 
-/// Whether rotary joints alone move.
+/// True if only rotary joints move.
 bool only_turns(const JointChanges& changes) {
     return linear_way(changes) == 0;
 }
 
-/// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move; where
-/// the lead is of all axes, what that makes of it.
+/// Returns the programmed speed along the master axes: of the tool, or of orientation if only rotary joints
+/// move. It is converted if the measure is of all axes.
 double programmed_speed(const PathMove& move, const MoveRules& rules, const JointChanges& changes,
                         const Block& block, const rrs::ControllerRules& controller) {
     if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
@@ -77,7 +78,7 @@ double programmed_speed(const PathMove& move, const MoveRules& rules, const Join
     return feed * block.lead.length / linear_way(changes);
 }
 
-/// How far the tool turns: along the great circle, or by the norm of the rotary joints.
+/// Returns how far the tool turns: along the great circle, or by the norm of the rotary joints.
 double turn_of(const PathMove& move, const JointChanges& changes) {
     return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
 }
@@ -103,7 +104,7 @@ void limit_by_program(const PathMove& move, const MoveRules& asked, const Planne
     block.deceleration = std::min(block.deceleration, rules.orientation_acceleration_rad_s2 * way_per_turn);
 }
 
-/// What the joints can do towards the centre of an arc, all round it.
+/// Returns the acceleration that the joints can do towards the centre of an arc, all round it.
 double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
     double acceleration = kUnlimited;
     for (int axis = 0; axis < 3; ++axis) {
@@ -116,7 +117,7 @@ double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
     return acceleration;
 }
 
-/// `limit` takes the limits of the block as those of a lead.
+/// Passes the limits of the block to `limit` as those of a LeadPath.
 template <typename Limit>
 void limit_lead(Block& block, const Limit& limit) {
     LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
@@ -131,7 +132,7 @@ void limit_lead(Block& block, const Limit& limit) {
     block.jerk_limit = lead.jerk_limit;
 }
 
-/// On a curve the acceleration of a joint is shared: one part keeps to the curve, the other one changes the
+/// The acceleration of a joint is shared on a curve: one part keeps to the curve, the other one changes the
 /// speed, at right angles to each other.
 void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& block) {
     const double share = setup.controller.centripetal_share;
@@ -146,8 +147,8 @@ void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& 
     limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
 }
 
-/// The joints go round on the curve that the pieces of a move stand for. That may take half of what a joint
-/// can do; what it leaves at the speed of the block is for the ramps.
+/// The joints follow the curve that the sub-segments of a move approximate. That may use half of what a joint
+/// can do. The remainder at the speed of the block is for the ramps.
 void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs::JointPos& shares,
                    Block& block) {
     constexpr double kMostOfBend = 0.5;
@@ -209,13 +210,13 @@ void leave_for_overlaying(const rrs::ControllerRules& controller, Block& block) 
     block.deceleration *= controller.continuous_acceleration_share;
 }
 
-/// Of the tool; 0 where rotary joints alone move.
+/// Returns the path length of the tool; 0 if only rotary joints move.
 double tool_way(const Lead& lead, const JointChanges& changes, const rrs::ControllerRules& controller) {
     if (lead.role == JointRole::rotary) return 0;
     return controller.path_measure == rrs::PathMeasure::all_axes ? linear_way(changes) : lead.length;
 }
 
-/// `asked`: the programmed speed, of which alone the mean acceleration depends.
+/// `asked` is the programmed speed, the only speed on which the mean acceleration depends.
 void drive_in_steps(double asked, Block& block) {
     const double speed = std::isfinite(asked) ? asked : block.max_speed;
     const double acceleration = std::min(block.acceleration, block.deceleration);
@@ -232,7 +233,7 @@ Settling settling_of(const rrs::ControllerRules& controller) {
     return {controller.settle_s, controller.in_position_mm, controller.in_position_deg * kRadPerDeg};
 }
 
-/// No less than the time from rest to rest.
+/// Returns an upper bound of the time from standstill to standstill.
 double longest_s(const Block& block) {
     const double length = block.lead.length;
     const double acceleration = std::min(block.acceleration, block.deceleration);

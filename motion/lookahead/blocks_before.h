@@ -7,7 +7,7 @@
 
 namespace gsim::motion {
 
-/// What leads to a corner: the first `count` >= 1 blocks of a look-ahead window, the last of which ends
+/// Blocks that lead to a corner: the first `count` >= 1 blocks of a look-ahead window, the last of which ends
 /// there.
 struct BlocksBefore {
     const std::deque<Block>& window;

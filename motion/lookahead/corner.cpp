@@ -25,8 +25,8 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
     return speed;
 }
 
-/// Of a change of the joints' slopes what counts for the angle between two ways: that of the position joints,
-/// or of all, a degree as a millimetre.
+/// Returns the part of a joint slope that counts for the angle between two paths: that of the position
+/// joints, or of all, with a degree as a millimetre.
 rrs::JointPos direction_of(const PlannerSetup& setup, const rrs::JointPos& slope) {
     const bool of_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
     rrs::JointPos direction = slope;
@@ -38,7 +38,7 @@ rrs::JointPos direction_of(const PlannerSetup& setup, const rrs::JointPos& slope
     return direction;
 }
 
-/// The greatest acceleration along a direction that the joints allow.
+/// Returns the largest acceleration along a direction that the joints allow.
 double acceleration_along(const PlannerSetup& setup, const rrs::JointPos& direction) {
     double acceleration = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -51,8 +51,8 @@ double acceleration_along(const PlannerSetup& setup, const rrs::JointPos& direct
     return acceleration;
 }
 
-/// As if the corner were an arc which touches both ways and misses the corner by the deviation: v^2 = a r
-/// with r = deviation sin(h) / (1 - sin(h)), h half of the angle between the ways (grbl 1.1). Its thresholds
+/// Treats the corner as an arc which touches both paths and misses the corner by the deviation: v^2 = a r
+/// with r = deviation sin(h) / (1 - sin(h)), h half of the angle between the paths (grbl 1.1). The thresholds
 /// are grbl's.
 double junction_deviation_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
     constexpr double kStraightOn = -0.999999;
@@ -68,8 +68,8 @@ double junction_deviation_speed(const PlannerSetup& setup, const Block& from, co
     return std::sqrt(acceleration * setup.controller.junction_deviation_mm * half_sine / (1 - half_sine));
 }
 
-/// Rotary and other joints have no place on an arc in space: where their slope changes, junction deviation
-/// stops.
+/// Rotary and other joints have no position on an arc in space, so junction deviation stops if their slope
+/// changes.
 bool only_position_turns(const PlannerSetup& setup, const rrs::JointPos& turn) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (setup.role(joint) != JointRole::position && std::abs(turn[joint]) >= kStraight) return false;
@@ -81,12 +81,12 @@ CornerRule rule_at_end(const rrs::ControllerRules& controller, const Block& bloc
     return block.move.mode == rrs::PathMode::continuous ? controller.corner : controller.exact_path_corner;
 }
 
-/// All joints in proportion, and the way is theirs.
+/// True if all joints move in proportion, and the path is theirs.
 bool is_straight(const Block& block) {
     return block.move.kind == SegmentKind::linear && !block.move.orientation && !block.move.piece;
 }
 
-/// Blends are between lines. Where the joints' ways are not the tool's, the jumps of their speeds count.
+/// Blends are between lines. The jumps of the joint speeds count if the joints' paths are not the tool's.
 CornerRule rule_between(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
     const CornerRule rule = rule_at_end(controller, from);
     if (rule != CornerRule::stop && (from.move.piece || to.move.piece)) return CornerRule::velocity_step;
@@ -94,7 +94,7 @@ CornerRule rule_between(const rrs::ControllerRules& controller, const Block& fro
     return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
 }
 
-/// The corner at the end of `before`, passed exactly by a jump of the joints' speeds.
+/// Passes the corner at the end of `before` exactly, by a jump of the joint speeds.
 BlendedCorner pass_by_jump(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                            double most) {
     const double jump = velocity_step_speed(setup, to.slope_in - before.back().slope_out);
@@ -102,8 +102,8 @@ BlendedCorner pass_by_jump(const PlannerSetup& setup, const BlocksBefore& before
     return {{}, in_window.speed, in_window.steps_cover};
 }
 
-/// Where a jump takes no more time than a blend, as between the many lines that stand for a curve, nothing is
-/// cut off.
+/// Cuts nothing off if a jump takes no more time than a blend, as between the many lines that approximate a
+/// curve.
 BlendedCorner pass_by_blend(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                             double most, bool smooth) {
     const BlendedCorner blended = blend_between(setup, before.back(), to, smooth, most);

@@ -14,7 +14,7 @@ namespace {
 constexpr int kFewCorners = 8;
 constexpr int kCornersBetween = 4;
 
-/// The corners in front of the newest one that have a lower speed of their own.
+/// Corners before the newest one that have a lower speed of their own.
 class SlowerCorners {
   public:
     explicit SlowerCorners(Eigen::Index joints)
@@ -35,9 +35,9 @@ class SlowerCorners {
     double least_ = kUnlimited;
 };
 
-/// Corners in a row up to the newest one, which are passed at its speed v or at a lower one of their own.
-/// Together they change the speeds of the joints by v turn + before, or by v whole_turn where v is below all
-/// of the lower ones, too.
+/// Successive corners up to the newest one, which are passed at its speed v or at a lower one of their own.
+/// They change the joint speeds together by v turn + before, or by v whole_turn if v is also below all of the
+/// lower ones.
 class Stretch {
   public:
     Stretch(const rrs::JointPos& slope_in, const rrs::JointPos& slope_out, const SlowerCorners& slower,
@@ -51,9 +51,9 @@ class Stretch {
     double change(Eigen::Index joint, double speed) const {
         return std::abs(speed * turn(joint) + before(joint));
     }
-    /// The lowest speed of their own.
+    /// Returns the lowest of the corners' own speeds.
     double least() const { return slower_.least(); }
-    /// That the corners count for.
+    /// Returns the path length that the corners count for.
     double way() const { return way_; }
 
   private:
@@ -63,7 +63,7 @@ class Stretch {
     double way_;
 };
 
-/// What the joints stand at corners.
+/// Limits that the joints tolerate at corners.
 class JointBounds {
   public:
     explicit JointBounds(const PlannerSetup& setup) : count_(static_cast<std::size_t>(setup.joint_count())) {
@@ -77,10 +77,10 @@ class JointBounds {
     }
 
     double step(Eigen::Index joint) const { return bounds_[static_cast<std::size_t>(joint)].step; }
-    /// The way at a speed beyond which no stretch says more than shorter ones. On a longer one no turn of a
-    /// joint, at most from -1 to 1, takes more than its acceleration; and what takes longer than four
-    /// times as its acceleration needs for its step is made of stretches on which it is the acceleration
-    /// that counts.
+    /// Returns the path length at a speed beyond which no stretch limits more than shorter ones. No turn of a
+    /// joint, at most from -1 to 1, takes more than its acceleration on a longer one. A stretch that takes
+    /// longer than four times the time that the acceleration needs for its step consists of stretches on
+    /// which only the acceleration counts.
     double longest_way(double speed) const {
         return 2 * speed * std::min(speed / least_acceleration_, 2 * longest_step_s_);
     }
@@ -108,7 +108,7 @@ class JointBounds {
         double step = 0;
         double acceleration = 0;
 
-        /// The highest speed v at which a joint keeps to its step, v turn + before <= step, or to its
+        /// Returns the highest speed v at which a joint keeps to its step, v turn + before <= step, or to its
         /// acceleration, v turn + before <= acceleration way / v.
         double speed(double turn, double before, double way) const {
             const double root = std::sqrt(before * before + 4 * turn * acceleration * way);
@@ -128,17 +128,17 @@ class JointBounds {
     double longest_step_s_ = 0;
 };
 
-/// The way that is left of a block's where it is counted in the time that `speed` takes for it: on a long one
-/// the motion speeds up from its corners and slows down again.
+/// Returns the part of a block's path that counts for the time that `speed` takes. The motion on a long block
+/// speeds up from its corners and slows down again.
 double way_at(const Block& block, double speed) {
     if (speed >= block.max_speed) return block.lead.length;
     const double highest = std::sqrt(speed * speed + block.acceleration * block.lead.length);
     return block.lead.length * 2 * speed / (speed + std::min(highest, block.max_speed));
 }
 
-/// Calls `look` with the stretches of two and more corners, from the shortest on; of those of many corners
-/// with one of four. `speed` is what `look` leaves for the newest. A corner at which the motion stops ends
-/// them.
+/// Calls `look` with the stretches of two and more corners, from the shortest on; of those with many corners
+/// only one of four. `speed` is the speed that `look` leaves for the newest. The stretches end at a corner at
+/// which the motion stops.
 template <typename Look>
 void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, const Block& to,
                       const double& speed, const Look& look) {
@@ -160,7 +160,7 @@ void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, con
     }
 }
 
-/// What the corners take of the joints' accelerations where their steps do not cover them.
+/// Returns the joint accelerations that the corners use if their speed steps do not cover them.
 rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& before, const Block& to) {
     const JointBounds bounds(setup);
     const double speed = std::min(to.entry_cap, to.max_speed);

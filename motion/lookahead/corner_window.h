@@ -4,26 +4,26 @@
 
 namespace gsim::motion {
 
-// A corner that is passed exactly makes the speed of a joint jump by what the joint stands. Many small ones
-// close together, as of a polygon that stands for a curve, would add up to any acceleration. So what the
-// corners of a stretch of the way change together may be one such jump, or what the centripetal share of the
-// joint's acceleration makes in the time of that stretch, whichever is more: n corners in a row count for n /
-// (n - 1) of the way from the first to the last. A polygon of many sides is then passed at the speed of its
-// arc.
+// A corner that is passed exactly makes the speed of a joint jump by what the joint tolerates. Many small
+// corners close together, as of a polygon that approximates a curve, would add up to any acceleration. So the
+// total change of the corners of a stretch of the path is limited. It may be one such jump, or what the
+// centripetal share of the joint's acceleration gives in the time of that stretch, whichever is more. n
+// corners in a row count for n / (n - 1) of the distance from the first to the last. A polygon of many sides
+// is then passed at the speed of its arc.
 
 struct WindowSpeed {
     double speed = 0;
-    bool steps_cover = false;  ///< At that speed the joints' steps cover all corners: none of the stretches
-                               ///< needs their accelerations.
+    bool steps_cover = false;  ///< True if the joint steps cover all corners at that speed: no stretch needs
+                               ///< the joint accelerations.
 };
 
-/// The speed at which the corner between the last block of `before` and `to` may be passed, at most `most`,
-/// by what the corners in front of it there have turned already.
+/// Returns the speed at which the corner between the last block of `before` and `to` may be passed, at most
+/// `most`, given what the corners before it have already turned.
 WindowSpeed speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most,
                             const Block& to);
 
-/// Takes from the accelerations of `to` along its way what the corners in front of it, the one at its entry
-/// among them, take of the joints' at its entry_cap.
+/// Reduces the accelerations of `to` along its path by what the corners before it, including the one at its
+/// entry, use of the joints' at its entry_cap.
 void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to);
 
 }  // namespace gsim::motion

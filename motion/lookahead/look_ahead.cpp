@@ -44,7 +44,7 @@ Planned LookAhead::add(const PathMove& move) {
     return planned;
 }
 
-/// Controllers that know lines alone count steps: they plan from step to step, so that short blocks have ends
+/// Controllers that know only lines count steps. They plan from step to step, so that short blocks have ends
 /// off their line.
 Planned LookAhead::add_line(const PathMove& move) {
     if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
@@ -77,14 +77,14 @@ Planned LookAhead::add_block(const PathMove& move) {
     return {};
 }
 
-/// The last chord of an arc may be rounded away.
+/// Rounding may remove the last chord of an arc.
 void LookAhead::reach_with_last(const PathMove& move) {
     if (window_.empty() || window_.back().move.target_id != move.target_id) return;
     window_.back().move.reaches_target = move.reaches_target;
 }
 
-/// Further blocks only raise planned speeds. So the one at which the oldest block ends is final where it is
-/// all that the corner allows or that the block can reach.
+/// Further blocks only raise planned speeds. So the end speed of the oldest block is final if it is the
+/// highest that the corner allows or that the block can reach.
 bool LookAhead::knows_exit() const {
     if (window_.size() < 2) return true;
     const Block& next = window_[1];
@@ -96,7 +96,7 @@ bool LookAhead::window_is_full() const {
     return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
 }
 
-/// The corner between the first `count` blocks of the window and `to`.
+/// Joins the first `count` blocks of the window and `to` at their corner.
 void LookAhead::join(std::size_t count, Block& to) {
     Block& from = window_[count - 1];
     const BlocksBefore before{window_, count};
@@ -114,15 +114,15 @@ void LookAhead::join(std::size_t count, Block& to) {
     }
 }
 
-/// A corner whose accelerations are its own.
+/// Returns the speed of a corner that has its own accelerations.
 CornerSpeed LookAhead::limited_corner(const BlocksBefore& before, Block& to) {
     to.corner_accelerations = corner_accelerations(setup_, before.back(), to);
     if (!to.corner_accelerations) return {};
     return corner_speed(setup_at_corner(setup_, *to.corner_accelerations), before, to);
 }
 
-/// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
-/// planned before and gains nothing.
+/// Plans from the newest block, which stops `held_back` before its end, back to the first block that was
+/// planned before and does not get faster.
 void LookAhead::plan_back(double held_back) {
     double exit_speed = 0;
     double way = std::max(window_.back().way() - held_back, 0.0);
@@ -142,7 +142,7 @@ void LookAhead::plan_back(double held_back) {
     planned_ = window_.size();
 }
 
-/// The speed at which the next block begins, as far as the oldest one can reach it.
+/// Returns the speed at which the next block begins, as far as the oldest one can reach it.
 double LookAhead::front_exit_speed() const {
     const double planned = std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
     return setup_.overrides ? std::max(is_held() ? 0 : planned, least_exit()) : planned;
@@ -153,8 +153,7 @@ double LookAhead::reachable_exit() const {
     return reachable_speed(block.way(), speed_, block.acceleration, block.jerk);
 }
 
-/// Where few blocks are known a blend could be passed so slowly only that a stop takes less time. The cut is
-/// long enough for that stop.
+/// A stop may take less time than a slow blend if few blocks are known. The cut is long enough for that stop.
 void LookAhead::drop_slow_blend() {
     if (window_.size() < 2) return;
     Block& from = window_[0];
@@ -167,7 +166,7 @@ void LookAhead::drop_slow_blend() {
     from.exit_cut = 0;
 }
 
-/// The less of a blend that is passed slowly leaves more of both lines to speed up on.
+/// A slow blend needs a smaller cut, which leaves more of both lines for speeding up.
 void LookAhead::fit_blend(double speed) {
     if (window_.size() < 2 || window_[1].entry_blend.cut <= 0 || !(speed > 0)) return;
     Block& to = window_[1];
@@ -188,7 +187,7 @@ void LookAhead::put_out_front() {
     const Block& block = window_.front();
     const bool blended = block.exit_cut > 0;
     const bool settles = exit == 0 && block.move.mode == rrs::PathMode::exact_stop;
-    // The wait depends on the motion that it follows, which is put out first.
+    // The wait depends on the motion before it, which is output first.
     const bool may_wait =
         settles && (block.settling.fixed_s > 0 || std::isfinite(block.settling.in_position_mm));
     const bool reaches_target = block.move.reaches_target && !blended && !may_wait;
@@ -228,7 +227,7 @@ void LookAhead::put_out_way(const Block& block, double exit_speed, bool reaches_
     output_.finish();
 }
 
-/// The fixed time, and what the joint that is farthest out of its band needs.
+/// Returns the fixed time plus what the joint that is farthest out of its band needs.
 double LookAhead::settle_s(const Block& block) const {
     double worst = 0;  // error over band
     for (int joint = 0; joint < setup_.joint_count(); ++joint) {

@@ -13,25 +13,25 @@
 
 namespace gsim::motion {
 
-/// A controller that knows some blocks ahead and passes corners by a rule: at a speed that it sets, the way
-/// exact, or by blends, which cut the ends of blocks off (blend.h).
+/// Controller that knows some blocks ahead and passes corners by a rule: at a speed that it sets, exactly on
+/// the path, or by blends, which cut the ends of blocks off (blend.h).
 ///
-/// The window holds look_ahead_blocks blocks, the one under way included, and as many pieces of tool moves
-/// (ToolPiece) as these have, up to a bound. The newest is planned to end at
-/// rest; from there back, a block's entry speed is what its corner allows and what its length lets slow down
-/// from (planned where an entry is asked for that further blocks can yet raise). When the window is full the
-/// oldest block becomes final: its exit speed is the next one's entry speed, and its law the fastest one
-/// between the two (TimeLaw::between). With jerk limits the acceleration is 0 at the ends of blocks.
+/// The window holds look_ahead_blocks blocks, the active one included, and as many sub-segments of tool moves
+/// (ToolPiece) as these have, up to a bound. The newest is planned to stop at its end. A block's entry speed,
+/// from there back, is what its corner allows and what its length lets slow down from. (It is planned if an
+/// entry is requested that further blocks can still raise.) The oldest block becomes final when the window is
+/// full: its exit speed is the next one's entry speed, and its law the fastest one between the two
+/// (TimeLaw::between). The acceleration is 0 at the ends of blocks with jerk limits.
 ///
-/// Where the operator turns an override, the block under way is cut at that instant, what is left of it goes
-/// on as a block of its own, and all speeds of the window are planned anew; corners keep the way that they
-/// were given, unless they may now be passed faster. With jerk limits the change waits for an instant without
-/// acceleration.
+/// An override change by the operator cuts the active block at that instant. The remainder continues as a
+/// separate block, and all speeds of the window are planned again. Corners keep the path that they were
+/// given, unless they may now be passed faster. The change waits for an instant without acceleration with
+/// jerk limits.
 ///
-/// Where ramps go in steps of time (SteppedRamps) an override acts from the next block on.
+/// An override acts from the next block on if ramps run in steps of time (SteppedRamps).
 ///
-/// What a blend may yet cut off the newest block is not counted as way to brake on, so that a corner which
-/// becomes known never makes speeds infeasible that are final.
+/// The length that a blend may still cut off the newest block does not count as braking distance. So a corner
+/// that becomes known never makes final speeds infeasible.
 class LookAhead final : public MotionModel {
   public:
     /// Both must outlive this.
@@ -50,7 +50,7 @@ class LookAhead final : public MotionModel {
     bool window_is_full() const;
     void plan_back(double held_back);
     void put_out_front();
-    // What the operator turns (look_ahead_overrides.cpp).
+    // Operator overrides (look_ahead_overrides.cpp).
     bool turn_overrides();
     void take_overrides(double now_s);
     void limit_again(Block& block) const;
@@ -82,13 +82,13 @@ class LookAhead final : public MotionModel {
     FollowingError output_;
     SteppedRamps stepped_;
     std::deque<Block> window_;
-    std::size_t planned_ = 0;  ///< Blocks of the window whose entries were planned, from the oldest on.
-    std::size_t inner_ = 0;    ///< Pieces in it that only lead on within their move: they count as no blocks.
+    std::size_t planned_ = 0;  ///< Blocks of the window with planned entries, from the oldest on.
+    std::size_t inner_ = 0;    ///< Sub-segments in it that only continue their move: they count as no blocks.
     Overrides overrides_;      ///< That the window is planned for,
     double overrides_s_ = 0;   ///< and the instant from which on they hold.
     bool ending_ = false;      ///< No block follows the newest one.
     double speed_ = 0;         ///< At the start of the oldest block, which cannot change any more.
-    rrs::JointPos rounded_;    ///< Where the last block ends, on the grid of the joints' steps.
+    rrs::JointPos rounded_;    ///< End of the last block, on the grid of the joint steps.
     bool has_rounded_ = false;
 };
 

@@ -1,4 +1,4 @@
-// How LookAhead follows the operator's overrides.
+// Operator overrides in LookAhead.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ constexpr double kWholeWay = 1e-12;  // relative
 
 }  // namespace
 
-/// One thing that the operator does while the oldest block is under way; false where nothing is left to be
-/// done before the rest of the block can be put out.
+/// Handles one action of the operator while the oldest block is active. Returns false if no action is left
+/// before the remainder of the block can be output.
 bool LookAhead::turn_overrides() {
     const double now_s = output_.time_s();
     take_overrides(now_s);
@@ -75,8 +75,8 @@ void LookAhead::take_overrides(double now_s) {
     join_faster(most);
 }
 
-/// Gives corners their way anew where both blocks may now be faster than `most`. A longer blend leaves less
-/// of its blocks to brake on; where the oldest one is too fast for that, all ways stay.
+/// Rebuilds the paths of corners at which both blocks may now be faster than `most`. A longer blend leaves
+/// less of its blocks for braking. All paths stay if the oldest block is too fast for that.
 void LookAhead::join_faster(const std::vector<double>& most) {
     const std::deque<Block> before = window_;
     for (std::size_t i = 1; i < window_.size(); ++i) {
@@ -94,8 +94,8 @@ void LookAhead::plan_anew() {
     if (!window_.empty()) plan_back(ending_ ? 0 : largest_exit_cut(setup_, window_.back()));
 }
 
-/// The limits of a block under the overrides now. What leads round a bend or through many corners
-/// keeps the acceleration that these leave at the higher speed.
+/// Sets the limits of a block under the current overrides. A block with curvature or many corners keeps the
+/// acceleration that these leave at the higher speed.
 void LookAhead::limit_again(Block& block) const {
     const auto again = setup_.move_limits ? limited_block_of(block.move, setup_, overrides_)
                                           : block_of(block.move, setup_, overrides_);
@@ -111,14 +111,14 @@ void LookAhead::limit_again(Block& block) const {
     block.deceleration = limits.deceleration;
 }
 
-/// Whether the operator keeps the oldest block from going on.
+/// True if the operator keeps the oldest block from continuing.
 bool LookAhead::is_held() const {
     const PathMove& move = window_.front().move;
     return move.obeyed.share(overrides_, move.rapid) <= 0;
 }
 
-/// The lowest speed at which the oldest block can end: above 0 where it is entered faster than it can brake.
-/// That was planned before the operator turned an override, so that the corner allows it.
+/// Returns the lowest speed at which the oldest block can end. It is above 0 if the block is entered faster
+/// than it can brake. That was planned before the operator changed an override, so the corner allows it.
 double LookAhead::least_exit() const {
     const Block& block = window_.front();
     if (window_.size() < 2 || !(speed_ > 0)) return 0;
@@ -127,8 +127,8 @@ double LookAhead::least_exit() const {
     return law.length() < block.way() * (1 - kWholeWay) ? 0 : law.end_speed();
 }
 
-/// The fastest law of the oldest block to its end. Where it cannot be slow enough there it brakes all the
-/// way.
+/// Returns the fastest law of the oldest block to its end. It brakes all along the path if it cannot be slow
+/// enough there.
 TimeLaw LookAhead::front_law(double exit_speed) const {
     const Block& block = window_.front();
     LawLimits limits = block.limits();
@@ -136,7 +136,7 @@ TimeLaw LookAhead::front_law(double exit_speed) const {
     return TimeLaw::between(block.way(), speed_, exit_speed, limits);
 }
 
-/// Puts out what the oldest block does by `law` until `t_s`; the rest of it takes its place.
+/// Outputs the motion of the oldest block by `law` until `t_s`; the remainder replaces the block.
 void LookAhead::put_out_part(const TimeLaw& law, double t_s) {
     Block& front = window_.front();
     const double length = front.lead.length;
@@ -161,7 +161,7 @@ void LookAhead::put_out_part(const TimeLaw& law, double t_s) {
     plan_anew();
 }
 
-/// The machine stands until the operator lets it go on.
+/// Outputs a dwell until the operator lets the machine continue.
 void LookAhead::put_out_hold(double now_s) {
     const PathMove& move = window_.front().move;
     Segment& rest = output_.begin(move.target_id);

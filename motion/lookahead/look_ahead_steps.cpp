@@ -1,4 +1,4 @@
-// How LookAhead puts out blocks whose ramps go in steps of time.
+// Output of blocks with ramps in steps of time in LookAhead.
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,8 @@ SteppedBlock stepped(const Block& block, double entry_speed, double exit_speed) 
             per_minute(block.steps->jerk, 3)};
 }
 
-/// Pieces of one law, one behind the other. Those that only go on at the speed of the last one become part of
-/// it.
+/// Parts of one law, one after the other. Parts that only continue at the speed of the last one are merged
+/// into it.
 class PieceLaw {
   public:
     bool takes(const LawPiece& piece) const {
@@ -86,7 +86,7 @@ void LookAhead::put_out_steps(const Block& block, double exit_speed, bool reache
     put_out(reaches_target);
 }
 
-/// A part of the block that begins `from` behind its start.
+/// Outputs a part of the block that begins `from` after its start.
 void LookAhead::put_out_pieces(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
                                bool reaches_target) {
     constexpr double kSameEnd = 1e-6;  // relative: lengths are of 32 bits

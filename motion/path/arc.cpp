@@ -21,14 +21,14 @@ struct Slopes {
     double length_mm;
 };
 
-// log(end radius / start radius), exact for small differences.
+// Returns log(end radius / start radius), exact for small differences.
 double log_growth(const Arc& arc) {
     return std::log1p((arc.end_radius_mm - arc.radius_mm) / arc.radius_mm);
 }
 
-// The length of a spiral's way around, by its angle: change of radius / log_growth(), which is 0 / 0 on a
-// circle. Programs round their centres, so that most arcs are spirals by a hair; to them the series is exact
-// and cheap.
+// Returns the length of a spiral's path around, by its angle: change of radius / log_growth(), which is 0 / 0
+// on a circle. Programs round their centres, so most arcs are spirals by a very small amount. The series is
+// exact and cheap for them.
 double mean_radius(const Arc& arc) {
     constexpr double kHair = 1e-4;  // the next term is below 3 % of its fourth power
     const double growth = (arc.end_radius_mm - arc.radius_mm) / arc.radius_mm;
@@ -43,7 +43,7 @@ Slopes slopes_of(const Arc& arc) {
     return {change / length, around_mm / length, arc.lift / length, length};
 }
 
-// The angle at a share of the way from 0 to 1, and the other way round.
+// Returns the angle at a share of the path from 0 to 1; share_at() is the inverse.
 double phi_at_share(const Arc& arc, double share) {
     const double change = arc.end_radius_mm - arc.radius_mm;
     if (change == 0) return arc.sweep_rad * share;
@@ -65,13 +65,13 @@ double radius_at(const Arc& arc, double phi_rad) {
     return radius_at_share(arc, share_at(arc, phi_rad));
 }
 
-// The length of a vector in the plane whose parts are about as large as 1: std::hypot() guards against
-// overflow.
+// Returns the length of a vector in the plane with components of about size 1. std::hypot() guards against
+// overflow, which is not needed here.
 double in_plane(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-// Unit vectors at an angle: away from the centre, and around it in the sense of travel.
+// Unit vectors at an angle: away from the centre, and around it in the direction of travel.
 struct Directions {
     Directions(const Arc& arc, double phi_rad)
         : cosine(std::cos(phi_rad)),
@@ -84,8 +84,8 @@ struct Directions {
     Vector3d forward;
 };
 
-// Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. From turn to turn the
-// value drifts one way, so the first and the last of them are enough.
+// Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. The value drifts in one
+// direction from turn to turn, so the first and the last of them suffice.
 void widen(Range& range, const Arc& arc, int axis, double phase) {
     const double first = phase - kTurn_rad * std::floor(phase / kTurn_rad);
     if (first >= arc.sweep_rad) return;
@@ -171,15 +171,15 @@ Range Arc::bounds(int axis) const {
             center[axis] + reach + std::max(0.0, lift[axis])};
 }
 
-// A curve leaves the straight line between its ends by at most 1/8 of its greatest second derivative, times
-// the square of the interval; that of a logarithmic spiral is radius (1 + (log growth / sweep)^2).
+// A curve deviates from the straight line between its ends by at most 1/8 of its largest second derivative,
+// times the square of the interval. That of a logarithmic spiral is radius (1 + (log growth / sweep)^2).
 double Arc::bulge_mm() const {
     const double growth = (end_radius_mm - radius_mm) / std::min(radius_mm, end_radius_mm);
     return std::max(radius_mm, end_radius_mm) * (sweep_rad * sweep_rad + growth * growth) / 8;
 }
 
-// With psi = phi - atan2(v, u) the coordinate's slope is
-// amplitude (radial cos psi - around sin psi) + climb = climb - amplitude pace sin(psi - lag).
+// The coordinate's slope, with psi = phi - atan2(v, u), is amplitude (radial cos psi - around sin psi) +
+// climb = climb - amplitude pace sin(psi - lag).
 Range Arc::range(int axis) const {
     const double start = center[axis] + radius_mm * u[axis];
     const double end = at(sweep_rad)[axis];

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kPartOfJerk = 1 / (1 + std::numbers::sqrt2);
 
-/// How a position joint lies to an arc.
+/// Orientation of a position joint relative to an arc.
 struct JointOnArc {
     int joint;
     double across;  ///< Length of its direction in the arc's plane.
-    double around;  ///< Its greatest change by length of way that comes from going round
+    double around;  ///< Its largest change per path length that comes from the turn
     double climb;   ///< and that from the lift.
 };
 
@@ -46,7 +46,8 @@ void limit_by_turning(double jerk, double curvature, double third, LimitedBy by,
 void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, LeadPath& lead) {
     if (!setup.controller.limit_jerk) return;
     const double curvature = arc.max_curvature();
-    // Also of spirals: p''' is as long as curvature^2 by the share of the way that goes round.
+    // This also holds for spirals: p''' is as long as curvature^2 divided by the share of the path that runs
+    // round.
     const double third = curvature * curvature / arc.tangent(0).dot(arc.v);
     double turning = kUnlimited;
     LimitedBy by;
@@ -61,7 +62,7 @@ void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, LeadPath& lead
     if (std::isfinite(turning)) limit_by_turning(turning, curvature, third, by, lead);
 }
 
-// (A - climb a)^2 = (around a)^2 + (share A)^2, solved for a.
+// Solves (A - climb a)^2 = (around a)^2 + (share A)^2 for a.
 void limit_by_askew_climb(const PlannerSetup& setup, const Arc& arc, double centripetal_share,
                           LeadPath& lead) {
     const double left = 1 - centripetal_share * centripetal_share;

@@ -6,8 +6,8 @@
 
 namespace gsim::motion {
 
-/// The part of an arc between two lengths of its way; none where they are too near to each other for an angle
-/// between them, so that the way is a point.
+/// Returns the part of an arc between two of its path lengths, or nullopt if they are too close for an angle
+/// between them, so that the path is a point.
 inline std::optional<Arc> arc_part(const Arc& arc, double from_mm, double to_mm) {
     if (!(to_mm > from_mm)) return std::nullopt;
     const Arc part = arc.part(from_mm, to_mm);

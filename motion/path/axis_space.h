@@ -8,16 +8,17 @@
 
 namespace gsim::motion {
 
-/// The rigid map (it may mirror) from the world to the space of the three position joints, in which the tool
-/// tip's coordinates are the joint values themselves.
+/// Rigid map (it may mirror) from the world to the space of the three position joints, in which the TCP
+/// coordinates are the joint values themselves.
 class AxisSpace {
   public:
-    /// Found from the machine's forward kinematics; nothing where there are not three position joints, or
-    /// they do not carry the tip along three directions at right angles (to 1e-9).
+    /// Returns the map found from the machine's forward kinematics. Returns nullopt without three position
+    /// joints, or if they do not carry the TCP along three directions at right angles (to 1e-9).
     static std::optional<AxisSpace> of(const PlannerSetup& setup);
 
     Eigen::Vector3d point(const Eigen::Vector3d& world_mm) const;
-    /// The axis about which a turn, counter-clockwise about `world` in the world, is counter-clockwise here.
+    /// Returns the axis about which a turn is counter-clockwise here that is counter-clockwise about `world`
+    /// in the world.
     Eigen::Vector3d turn_axis(const Eigen::Vector3d& world) const;
 
   private:
@@ -26,14 +27,14 @@ class AxisSpace {
     double handedness_ = 1;
 };
 
-/// Whether rotary joints move the tip, a point in the frame of the tool centre point, in the work frame, so
-/// that lines of the joints are none of the tip.
+/// True if rotary joints move the controlled point in the work frame, so that lines of the joints are no
+/// lines of this point. `tip_mm` is the point in the frame of the tool centre point.
 bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero());
 
-/// The values of the position joints; 0 where one is absent.
+/// Returns the values of the position joints; 0 if one is absent.
 Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints);
 
-/// Gives the position joints (-1: absent) the coordinates of a point or vector.
+/// Sets the position joints (-1: absent) to the coordinates of a point or vector.
 void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
                   rrs::JointPos& joints);
 

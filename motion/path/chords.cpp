@@ -16,7 +16,7 @@ void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controlle
     const double asked_s = move.rules.least_duration_s;
     if (asked_s <= 0) return;
     line.rules.least_duration_s = 0;
-    // F in 1/min is 60 / asked_s; counted once for each chord it is taken as mm/min.
+    // F in 1/min is 60 / asked_s. It is taken as mm/min if it counts once for each chord.
     line.rules.programmed_speed_mm_s =
         controller.inverse_time_of_chords ? chords / asked_s : move.arc.length_mm() / asked_s;
 }

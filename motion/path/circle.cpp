@@ -30,7 +30,7 @@ struct Split {
     double radius;
 };
 
-// Without whole turns. Most angles have none, and std::remainder() takes its time.
+// Removes full turns. Most angles have none, and std::remainder() takes its time.
 double within_half_a_turn(double angle_rad) {
     return std::abs(angle_rad) < std::numbers::pi ? angle_rad
                                                   : std::remainder(angle_rad, 2 * std::numbers::pi);

@@ -9,7 +9,7 @@
 
 namespace gsim::motion {
 
-/// A conveyor as a planner knows it: it travels along a line at constant speed.
+/// Conveyor as a planner knows it: it travels along a line at constant speed.
 struct ConveyorMotion {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< Unit vector of the world.
     double speed_mm_s = 0;                                 ///< Negative: backwards.
@@ -19,25 +19,25 @@ struct ConveyorMotion {
     double position_mm_at(double time_s) const { return position_mm + speed_mm_s * (time_s - at_s); }
 };
 
-/// The frame of a conveyor, in which targets are given while it is tracked. A motion in it becomes one of the
-/// machine by the conveyor's own motion beside it; so the joints have what the conveyor leaves of their
-/// speed.
+/// Frame of a conveyor, in which targets are given while it is tracked. A motion in it becomes one of the
+/// machine with the conveyor's own motion superimposed. So the joints have only the speed that the conveyor
+/// leaves.
 class ConveyorFrame {
   public:
-    /// RRS_MODE_NOT_SUPPORTED where no position joints carry the tool in all directions, RRS_JOINT_LIMIT
-    /// where the conveyor is faster than a joint.
+    /// Returns the frame. Errors: RRS_MODE_NOT_SUPPORTED if no position joints carry the tool in all
+    /// directions, RRS_JOINT_LIMIT if the conveyor is faster than a joint.
     static tl::expected<ConveyorFrame, PlanError> of(const PlannerSetup& setup, const AxisSpace* space,
                                                      const ConveyorMotion& conveyor);
 
     const ConveyorMotion& conveyor() const { return conveyor_; }
-    /// What the frame adds to joint values at a time.
+    /// Returns what the frame adds to joint values at a time.
     rrs::JointPos shift(double time_s) const;
-    /// The machine, with what is left of its speeds.
+    /// Returns the machine with the remainder of its speeds.
     PlannerSetup setup_within(const PlannerSetup& setup) const;
     /// Turns a segment planned in the frame into one of the machine.
     void carry(Segment& segment) const;
-    /// The least way of the joints from rest to the conveyor's motion, or from there to rest; the segment has
-    /// its start already. RRS_JOINT_LIMIT.
+    /// Plans the shortest path of the joints from standstill to the conveyor's motion, or from there to
+    /// standstill. The segment has its start already. Error: RRS_JOINT_LIMIT.
     Planned plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const;
 
   private:

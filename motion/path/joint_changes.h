@@ -7,7 +7,7 @@
 
 namespace gsim::motion {
 
-/// How far each joint goes in a move (mm or rad, signed). A change of up to `least` counts as none: it is
+/// Change of each joint in a move (mm or rad, signed). A change of up to `least` does not count: it is
 /// rounding of frames and inverse kinematics, not motion.
 class JointChanges {
   public:
@@ -16,7 +16,7 @@ class JointChanges {
 
     double of(int joint) const { return changes_[static_cast<std::size_t>(joint)]; }
     JointRole role(int joint) const { return roles_[static_cast<std::size_t>(joint)]; }
-    /// Euclidean norm of the changes of the joints of one role (mm or rad).
+    /// Returns the Euclidean norm of the changes of the joints of one role (mm or rad).
     double norm(JointRole role) const { return norms_[static_cast<std::size_t>(role)]; }
 
   private:

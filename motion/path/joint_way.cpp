@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFlat_mm = 1e-10;
 
-/// Which coordinate of the segment's arc the joint carries.
+/// Returns the coordinate of the segment's arc that the joint carries.
 std::optional<Eigen::Index> arc_axis(const Segment& segment, int joint) {
     if (segment.kind != SegmentKind::circular) return std::nullopt;
     const auto& joints = segment.position_joints;
@@ -26,7 +26,7 @@ Range intersection(const Range& a, const Range& b) {
     return {std::max(a.min, b.min), std::min(a.max, b.max)};
 }
 
-/// Of a segment without what goes on beside it.
+/// Returns the range of a segment without its superimposed motion.
 Range wide_range_alone(const Segment& segment, int joint) {
     const auto [least, most] = std::minmax(segment.start[joint], segment.end[joint]);
     const std::optional<Eigen::Index> axis = arc_axis(segment, joint);
@@ -41,14 +41,14 @@ Range wide_range_alone(const Segment& segment, int joint) {
     return {std::min(range.min - kArcRounding_mm, least), std::max(range.max + kArcRounding_mm, most)};
 }
 
-/// A value and how fast it changes.
+/// A value and its rate of change.
 struct Reading {
     double value;
     double rate;
 };
 
-/// The root of at(t) = wanted between two instants, with a rate of one sign: Newton's method, kept between
-/// bounds that close in.
+/// Returns the root of at(t) = wanted between two instants, with a rate of one sign. Uses Newton's method,
+/// kept between bounds that close in.
 template <typename At>
 double root(const At& at, double wanted, bool rises, double from, double to) {
     constexpr int kNewton = 20;
@@ -70,7 +70,7 @@ double root(const At& at, double wanted, bool rises, double from, double to) {
     return t;
 }
 
-/// When a law has come to `s`.
+/// Returns the time at which a law reaches `s`.
 double time_at(const TimeLaw& law, double s) {
     const auto at = [&law](double t) {
         const LawState state = law.at(t);
@@ -103,13 +103,13 @@ void add_piece_ends(const TimeLaw& law, std::vector<double>& times_s) {
     for (const LawPiece& piece : law.pieces()) times_s.push_back(end_s += piece.duration_s);
 }
 
-/// A joint where two motions go on at once. Times lie within one piece of both laws.
+/// Joint with two simultaneous motions. Times are within one part of both laws.
 class TwoMotions {
   public:
     TwoMotions(const Segment& segment, int joint, std::vector<double>& times_s)
         : segment_(segment), joint_(joint), times_s_(times_s) {}
 
-    /// Halves the time until the joint's speed cannot change its sign, or nothing comes of it.
+    /// Halves the time until the joint's speed cannot change its sign, or the motion is negligible.
     void split(double from_s, double to_s) {
         const double half_s = (to_s - from_s) / 2;
         const double most = most_acceleration(from_s, to_s);
@@ -122,7 +122,7 @@ class TwoMotions {
     }
 
   private:
-    /// Accelerations at the ends of a time; in between they are linear along a straight way.
+    /// Accelerations at the ends of a time; they are linear in between along a straight path.
     struct Ends {
         double first;
         double last;
@@ -130,7 +130,8 @@ class TwoMotions {
         double most() const { return std::max(std::abs(first), std::abs(last)); }
     };
 
-    /// Along the way, from two instants inside, as accelerations jump where pieces meet.
+    /// Returns the accelerations along the path from two instants inside, because accelerations jump at the
+    /// ends of law parts.
     static Ends acceleration(const TimeLaw& law, double from_s, double to_s) {
         const double quarter_s = (to_s - from_s) / 4;
         const double a = law.at(from_s + quarter_s).a;

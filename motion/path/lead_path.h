@@ -8,14 +8,14 @@
 
 namespace gsim::motion {
 
-/// No move or rest takes longer than this; it keeps the clock a number worth having.
+/// Longest time of a move or dwell; it keeps the clock at useful numbers.
 inline constexpr double kLongest_s = 1e12;
 
-/// The path that leads a move and what limits the speed along it (mm or rad, s).
+/// Leading path of a move and the limits of the speed along it (mm or rad, s).
 struct LeadPath {
     double length = 0;
     LawLimits limits = {};
-    LimitedBy speed_limit = {};         ///< What limits.max_speed is,
+    LimitedBy speed_limit = {};         ///< Cause of limits.max_speed,
     LimitedBy acceleration_limit = {};  ///< limits.acceleration
     LimitedBy jerk_limit = {};          ///< and limits.jerk.
 
@@ -37,7 +37,7 @@ struct LeadPath {
         limits.jerk = jerk;
         jerk_limit = by;
     }
-    /// The limits of a joint that goes by `share` of the way.
+    /// Applies the limits of a joint that moves by `share` of the path.
     void limit_by_joint(int joint, const LawLimits& of_joint, double share) {
         const auto index = static_cast<std::int8_t>(joint);
         limit_speed(of_joint.max_speed / share, {LimitKind::joint_speed, index});
@@ -47,18 +47,19 @@ struct LeadPath {
     }
 };
 
-/// The programmed speed and acceleration of the tool, and the path's limits of them.
+/// Applies the programmed speed and acceleration of the tool, and the path's limits of them.
 void limit_by_path(const MoveRules& rules, LeadPath& lead);
 
-/// Sets the time of a move and writes the laws into the segment, and what limited it: the duration is the
-/// longest of the lead's, the followers' and `least_duration_s`, and lead and followers all take that long.
-/// RRS_ZERO_SPEED where nothing at all limits the speed, RRS_INVALID_PARAMETER where a length or the time is
-/// beyond all numbers.
+/// Sets the time of a move, and writes the laws and the limiting cause into the segment. The duration is the
+/// longest of the leading law's, the followers' and `least_duration_s`, and all of these laws take that long.
+/// Errors: RRS_ZERO_SPEED if no limit applies to the speed, RRS_INVALID_PARAMETER if a length or the time is
+/// too large.
 Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* followers,
                    double least_duration_s);
 
-/// The same of a linear or circular move with the joints beside its path: in proportion to the lead, which
-/// keeps their limits, too, or followers, as the controller has it. `role` is that of the joints that lead.
+/// Sets the time of a linear or circular move with the joints outside its path. These move in proportion to
+/// the leading law, which also keeps their limits, or as followers, as the controller does. `role` is that of
+/// the master joints.
 Planned set_timing_with_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                                JointRole role, LeadPath lead, Segment& segment);
 

@@ -15,7 +15,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kTurnOfJoints_rad = 2.5 * kRadPerDeg;  // between two points of a way
+constexpr double kTurnOfJoints_rad = 2.5 * kRadPerDeg;  // between two points of a path
 constexpr double kTurnOfArc_rad = 0.2;
 constexpr int kLeastParts = 2;
 constexpr int kMostParts = 48;
@@ -26,7 +26,7 @@ int parts_of(double turn, double turn_of_part) {
     return static_cast<int>(std::clamp<double>(parts, kLeastParts, kMostParts));
 }
 
-/// Of the rotary joints between two places, together.
+/// Returns the turn of the rotary joints between two positions, together.
 double turn_between(const PlannerSetup& setup, const rrs::JointPos& from, const rrs::JointPos& to) {
     double turn = 0;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -42,7 +42,7 @@ void add_line(const PlannerSetup& setup, const rrs::JointPos& from, const rrs::J
         points.push_back({from + static_cast<double>(i) / parts * (to - from), slope});
 }
 
-/// The joints that carry the position go round, the others in proportion.
+/// The joints that carry the position run round, the others in proportion.
 void add_arc(const PlannerSetup& setup, const Block& block, std::vector<WayPoint>& points) {
     const PathMove& move = block.move;
     const int parts = std::max(parts_of(move.arc.sweep_rad, kTurnOfArc_rad),
@@ -82,14 +82,14 @@ WayToLimit way_of(const PlannerSetup& setup, const Block& block) {
     return way;
 }
 
-/// From rest to rest a move that is to take a time is faster in its middle than in the mean.
+/// A move from standstill to standstill with a required time is faster in its middle than in the mean.
 PathMove at_any_time(const PathMove& move, const PlannerSetup& setup) {
     PathMove free = move;
     if (rests_always(setup)) free.rules.least_duration_s = 0;
     return free;
 }
 
-/// With joints that have any acceleration: what is left limits speeds.
+/// Returns the setup with joints of unlimited acceleration: the remaining limits are those of speeds.
 PlannerSetup freed(PlannerSetup setup) {
     for (JointSetup& joint : setup.joints) {
         joint.max_acceleration = kUnlimited;
@@ -109,8 +109,8 @@ void keep_speed(const Block& block, double max_speed, PlannerSetup& setup) {
     }
 }
 
-/// Where the planner does not slow down for curves: half is for the way round, half for speeding up and
-/// slowing down, so that both together are no more, however the way lies to the joint.
+/// Shares the acceleration if the planner does not slow down for curves: half is for the path round, half for
+/// speeding up and slowing down. So both together are no more, for any direction of the path to the joint.
 void share_on_curve(WayToLimit& way, PlannerSetup& setup) {
     constexpr double kHalf = 0.5;
     for (const int joint : setup.position_joints) {
@@ -122,7 +122,7 @@ void share_on_curve(WayToLimit& way, PlannerSetup& setup) {
     }
 }
 
-/// The points of a corner: between lines those of all that blends may take of them.
+/// Returns the points of a corner: between lines those of the parts that blends may use.
 WayToLimit way_at_corner(const PlannerSetup& setup, const Block& from, const Block& to) {
     WayToLimit way;
     way.max_speed = std::min(from.max_speed, to.max_speed);

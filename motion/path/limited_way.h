@@ -8,24 +8,24 @@
 
 namespace gsim::motion {
 
-// Moves whose joints have the accelerations that MoveLimits set for each of them. The setup has such limits.
+// Moves with joint accelerations that MoveLimits set for each of them. The setup has such limits.
 
-/// The setup with the accelerations of one move under the operator's overrides, and with the speeds up to
-/// which they hold. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+/// Returns the setup with the accelerations of one move under the operator's overrides, and with the speeds
+/// up to which they are valid. Errors: RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
 tl::expected<PlannerSetup, PlanError> setup_on_way(const PathMove& move, const PlannerSetup& setup,
                                                    const Overrides& overrides);
 
-/// block_of() with these.
+/// Returns block_of() with these.
 tl::expected<std::optional<Block>, PlanError> limited_block_of(const PathMove& move,
                                                                const PlannerSetup& setup,
                                                                const Overrides& overrides);
 
-/// What each joint may have in either sense while a corner is passed, on all that a blend may take of both
-/// ways; nothing where motion on from one to the other is not for the joints.
+/// Returns what each joint may have in either direction while a corner is passed, on the parts that a blend
+/// may use of both paths. Returns nullopt if the joints cannot continue from one path to the other.
 std::optional<rrs::JointPos> corner_accelerations(const PlannerSetup& setup, const Block& from,
                                                   const Block& to);
 
-/// The setup with the accelerations of a corner.
+/// Returns the setup with the accelerations of a corner.
 PlannerSetup setup_at_corner(const PlannerSetup& setup, const rrs::JointPos& accelerations);
 
 }  // namespace gsim::motion

@@ -8,27 +8,26 @@
 
 namespace gsim::motion {
 
-/// An object of the cell that is moved from pose to pose: in straight lines at constant speed, and turned
-/// about one axis in proportion to the way (object motion, section 5.3.2 of the thesis). It has a clock of
-/// its own.
+/// Object of the cell that is moved from pose to pose: in straight lines at constant speed, and turned about
+/// one axis in proportion to the distance (object motion, section 5.3.2 of the thesis). It has its own clock.
 class ObjectMotion {
   public:
     struct Step {
-        rrs::Status status = rrs::Status::RRS_SUCCESS;  ///< As GetNextStep answers.
+        rrs::Status status = rrs::Status::RRS_SUCCESS;  ///< As GetNextStep returns.
         rrs::CartPos pose;
         double elapsed_s = 0;
     };
 
     ObjectMotion() : end_(rrs::CartPos::Identity()) {}
 
-    /// Where it is before its next target; its targets are dropped.
+    /// Sets its pose before its next target; its targets are dropped.
     void stand_at(const rrs::CartPos& pose);
-    /// For the targets that follow, > 0.
+    /// Sets the speed for the targets that follow, > 0.
     void set_speed(double speed_mm_s) { speed_mm_s_ = speed_mm_s; }
-    /// The time that the way takes, s. RRS_ZERO_SPEED without a speed, or where the object would turn without
-    /// going anywhere; RRS_QUEUE_FULL.
+    /// Returns the time that the path takes, s. Errors: RRS_ZERO_SPEED without a speed, or if the object
+    /// would turn without moving; RRS_QUEUE_FULL.
     tl::expected<double, PlanError> add_target(const rrs::CartPos& pose);
-    /// Moves on by `step_s`, or to the end of the last way where that comes before.
+    /// Moves on by `step_s`, or to the end of the last path if that comes before.
     Step step(double step_s);
 
   private:
@@ -39,13 +38,13 @@ class ObjectMotion {
     };
 
     std::deque<Way> ways_;
-    double into_s_ = 0;  ///< Time since the first way began.
-    rrs::CartPos end_;   ///< Of the last way.
+    double into_s_ = 0;  ///< Time since the first path began.
+    rrs::CartPos end_;   ///< End of the last path.
     double speed_mm_s_ = 0;
 };
 
-/// The pose at `share` (0 to 1) of the way: positions on a line, orientations about one axis, the short way
-/// round.
+/// Returns the pose at `share` (0 to 1) of the path: positions on a line, orientations about one axis, by the
+/// shorter rotation.
 rrs::CartPos pose_between(const rrs::CartPos& from, const rrs::CartPos& to, double share);
 
 }  // namespace gsim::motion

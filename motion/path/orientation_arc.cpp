@@ -17,8 +17,8 @@ constexpr double kSameEnd_rad = 1e-8;
 
 }  // namespace
 
-// The direction of the end, seen from the start: its parts along growing tilt and along growing turn, without
-// cancellation where the ends lie close together.
+// The direction of the end, seen from the start, is split into its parts along growing tilt and along growing
+// turn. This avoids cancellation if the ends are close together.
 tl::expected<OrientationArc, OrientationFault> OrientationArc::between(const kinematics::TiltingHead& head,
                                                                        const rrs::JointPos& start,
                                                                        const rrs::JointPos& end) {
@@ -88,7 +88,7 @@ HeadState OrientationArc::at(double angle_rad) const {
     return state;
 }
 
-/// The cosine of the tilt is a sine wave of the way, which is shorter than half of its period: it has one
+/// The cosine of the tilt is a sine wave of the path, which is shorter than half of its period. So it has one
 /// extreme at most.
 bool OrientationArc::passes_apex(const Place& start, const Place& end) const {
     return !is_meridian() && start.cosine_slope * end.cosine_slope < 0;

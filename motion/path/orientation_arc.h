@@ -10,46 +10,46 @@
 
 namespace gsim::motion {
 
-/// Something of the two joints of a head, in rad.
+/// Values of the two joints of a head, in rad.
 struct HeadAngles {
     double turn = 0;
     double tilt = 0;
 };
 
-/// The joints of a head at a place of an orientation arc, and their derivatives by the angle along it.
+/// Joints of a head at a position of an orientation arc, and their derivatives by the angle along it.
 struct HeadState {
     HeadAngles angles;
     HeadAngles first;
     HeadAngles second;
 };
 
-/// What the derivatives of the joints by the angle along the arc do not pass anywhere on it, up or down.
+/// Bounds of the derivatives of the joints by the angle along the arc, up or down, valid everywhere on it.
 struct HeadBounds {
     HeadAngles first;
     HeadAngles second;
     HeadAngles third;
 };
 
-/// Why there is no orientation arc to a target.
+/// Reason why no orientation arc leads to a target.
 enum class OrientationFault {
     opposite,   ///< The directions are opposite: no great circle is the only one.
     same,       ///< The direction is the same, but the joints would turn.
-    at_pole,    ///< The tool stands at the pole, at one end, and the turning joint would turn.
+    at_pole,    ///< The tool is at the pole, at one end, and the turning joint would turn.
     other_end,  ///< The joints, without a jump, would end at other values than the target's.
 };
 
-/// The way of the two joints of a kinematics::TiltingHead on which the direction of the tool goes along the
-/// shorter great circle between two directions.
+/// Path of the two joints of a kinematics::TiltingHead on which the tool direction moves along the shorter
+/// great circle between two directions.
 ///
-/// With S the sine of the tilt from the pole, h the heading on the sphere (0: the tilt grows) and w the angle
-/// along the circle, Clairaut's relation S sin h = L holds all along it. So d(turn)/dw = L / S^2 and
+/// S is the sine of the tilt from the pole, h the heading on the sphere (0: the tilt grows) and w the angle
+/// along the circle. Clairaut's relation S sin h = L holds all along it. So d(turn)/dw = L / S^2 and
 /// d(tilt)/dw = cos h, and further derivatives follow from these. A circle through the pole (L = 0) is a
-/// meridian: the turning joint stands still, and the tilt goes through 0 and changes its sign.
+/// meridian: the turning joint is at standstill, and the tilt passes through 0 and changes its sign.
 class OrientationArc {
   public:
-    /// From `start` to `end`, which may differ by the rounding of kinematics from what the circle leads to;
-    /// the difference is shared out, so that both ends are exact. Circles that pass the pole within 1e-9 rad
-    /// count as meridians. The directions must differ by more than 1e-9 rad.
+    /// Returns the arc from `start` to `end`, which may differ from the end of the circle by the rounding of
+    /// kinematics. The difference is shared out, so that both ends are exact. Circles that pass the pole
+    /// within 1e-9 rad count as meridians. The directions must differ by more than 1e-9 rad.
     static tl::expected<OrientationArc, OrientationFault> between(const kinematics::TiltingHead& head,
                                                                   const rrs::JointPos& start,
                                                                   const rrs::JointPos& end);
@@ -57,18 +57,20 @@ class OrientationArc {
     int turn_joint() const { return head_.turn_joint; }
     int tilt_joint() const { return head_.tilt_joint; }
     bool moves(int joint) const { return joint == head_.turn_joint || joint == head_.tilt_joint; }
-    /// The angle between the directions at both ends.
+    /// Returns the angle between the directions at both ends.
     double length_rad() const { return length_rad_; }
-    /// After the angle `angle_rad` from the start.
+    /// Returns the state after the angle `angle_rad` from the start.
     HeadState at(double angle_rad) const;
     HeadBounds bounds() const;
-    /// Lowest and highest tilt (of the joint) on the way; the turning joint turns one way only.
+    /// Returns the lowest and highest tilt (of the joint) on the path. The turning joint turns in only one
+    /// direction.
     Range tilt_range() const;
-    /// The part of the arc between two angles.
+    /// Returns the part of the arc between two angles.
     OrientationArc part(double from_rad, double to_rad) const;
-    /// All that at() is worked out from, so that it can be somewhere else: the angles of turn and tilt at the
-    /// anchor, the tilt from the pole there, its sine and cosine, sine and cosine of the heading, the side,
-    /// Clairaut's constant, the drifts of turn and tilt, where this part begins, and its length (rad).
+    /// Returns the values from which at() is computed, so that it can be computed elsewhere: the angles of
+    /// turn and tilt at the anchor, the tilt from the pole there, its sine and cosine, sine and cosine of the
+    /// heading, the side, Clairaut's constant, the drifts of turn and tilt, the start of this part, and its
+    /// length (rad).
     std::array<double, 13> constants() const {
         return {anchor_.turn,  anchor_.tilt,    tilt_,      sine_,     cosine_,
                 heading_sine_, heading_cosine_, side_,      clairaut_, drift_.turn,
@@ -76,8 +78,8 @@ class OrientationArc {
     }
 
   private:
-    /// The direction at a place: sine (signed as the tilt) and cosine of the tilt from the pole, and the
-    /// slope of the cosine.
+    /// Direction at a position: sine (signed as the tilt) and cosine of the tilt from the pole, and the slope
+    /// of the cosine.
     struct Place {
         double across;  // horizontal part, along the azimuth of the anchor and
         double aside;   // at right angles to it
@@ -85,7 +87,7 @@ class OrientationArc {
         double cosine;
         double cosine_slope;
     };
-    /// The least and the greatest |sine of the tilt| on the way.
+    /// Smallest and largest |sine of the tilt| on the path.
     struct Sines {
         double least;
         double most;

@@ -15,9 +15,9 @@ using rrs::Status;
 namespace {
 
 constexpr double kNoChange_rad = 1e-9;
-constexpr double kOtherBranch_rad = 0.1;  // least change to other joint values with the same direction
+constexpr double kOtherBranch_rad = 0.1;  // smallest change to other joint values with the same direction
 
-/// Bounds of the derivatives of a joint by the way of the lead.
+/// Bounds of the derivatives of a joint by the length of the leading path.
 struct JointSlopes {
     int joint;
     double first;
@@ -40,10 +40,10 @@ double acceleration_of(const LawLimits& joint) {
     return std::min(joint.acceleration, joint.deceleration);
 }
 
-// With the way s(t) of the lead and the joint's angle q(s), the chain rule gives the joint's acceleration q'
-// a + q'' v^2 and its jerk q' j + 3 q'' v a + q''' v^3. The speed is held so low that the bend alone takes at
-// most half of the acceleration and a quarter of the jerk; ramps take so little that the mixed term takes
-// another quarter. What is left is for the law.
+// The chain rule gives the joint's acceleration q' a + q'' v^2 and its jerk q' j + 3 q'' v a + q''' v^3, with
+// the path s(t) of the leading law and the joint's angle q(s). The speed is kept so low that the curvature
+// alone takes at most half of the acceleration and a quarter of the jerk. Ramps take so little that the mixed
+// term takes another quarter. The remainder is for the law.
 void limit_speed(const LawLimits& joint, const JointSlopes& slopes, LeadPath& lead) {
     const auto index = static_cast<std::int8_t>(slopes.joint);
     lead.limit_speed(joint.max_speed / slopes.first, {LimitKind::joint_speed, index});
@@ -108,7 +108,7 @@ tl::unexpected<PlanError> refused_by(OrientationFault fault, const kinematics::T
         head.turn_joint, head.tilt_joint));
 }
 
-/// Whether the joints change the direction too little for it to have a way.
+/// True if the joints change the direction too little for a path.
 bool stays(const kinematics::TiltingHead& head, const rrs::JointPos& start, const rrs::JointPos& end,
            double least) {
     return std::abs(end[head.turn_joint] - start[head.turn_joint]) <= least &&

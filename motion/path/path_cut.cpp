@@ -1,4 +1,4 @@
-// How a path of the tool is cut into lines of the joints; declared in tool_path.h.
+// Cuts a tool path into lines of the joints; declared in tool_path.h.
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kShareOfTolerance = 0.95;  // looks at the quarters alone may miss the worst
+constexpr double kShareOfTolerance = 0.95;  // checks at only the quarters may miss the worst
 constexpr double kAngleTolerance_rad = 1e-4;
-constexpr double kLargestTurn_rad = 0.2;  // of a piece, before any look at it
-constexpr int kMostCutHalvings = 30;      // of such a piece
+constexpr double kLargestTurn_rad = 0.2;  // of a sub-segment, before any check of it
+constexpr int kMostCutHalvings = 30;      // of such a sub-segment
 constexpr std::size_t kMostPathPieces = 200'000;
 constexpr double kNoBend = 2e-9;  // mm or rad between a chord and its curve: what inverses leave
 
-/// A part of the way that may be a line of the joints or have to be halved, by shares of the way.
+/// Part of the path that may be a line of the joints or have to be halved, by shares of the path.
 struct UncutPiece {
     double from = 0;
     double to = 0;
@@ -100,7 +100,7 @@ class Cutter {
         return {};
     }
 
-    /// Where a bend changes fast from piece to piece the greater one holds on both.
+    /// The larger curvature holds on both of two neighbours if it changes fast between them.
     std::vector<PathPiece> with_bends_of_neighbours() const {
         std::vector<PathPiece> pieces = pieces_;
         for (std::size_t i = 1; i < pieces.size(); ++i) {

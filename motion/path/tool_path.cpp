@@ -152,7 +152,7 @@ std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const
     return std::make_unique<PosePath>(setup, std::move(way), tool, from, end, std::move(led));
 }
 
-// With the other joints where they are the tip goes by a linear function of the slides.
+// The controlled point is a linear function of the slides while the other joints keep their values.
 std::optional<rrs::JointPos> place_tip(const PlannerSetup& setup, const rrs::JointPos& joints,
                                        const Eigen::Vector3d& tip_mm, const Eigen::Vector3d& point_mm) {
     const Eigen::Vector3d tip = tip_at(setup, joints, tip_mm);

@@ -16,32 +16,32 @@
 
 namespace gsim::motion {
 
-/// A line or an arc of the tool's tip in the work frame, mm.
+/// Line or arc of the controlled point in the work frame, mm.
 struct TipWay {
     SegmentKind kind = SegmentKind::linear;  ///< linear or circular
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    Arc arc = {};  ///< Of a circular way.
+    Arc arc = {};  ///< Only for a circular path.
 
     double length_mm() const;
-    /// After a share of the way, 0 to 1.
+    /// Returns the point after a share of the path, 0 to 1.
     Eigen::Vector3d at(double share) const;
 };
 
-/// How joints that the inverse holds go in a move: evenly along the way of the tool, each from where it
-/// stands to its value. While a coordinated one moves, the way is one on the work, as the machine carries it;
-/// the way beside others (synchronous) is what it would be if these stood at their values already.
+/// Motion of the joints that the inverse holds (`led` joints) in a move: evenly along the tool path, each
+/// from its position to its value. The path is one on the work, as the machine carries it, while a
+/// coordinated one moves. The path with other (synchronous) ones is as if these were at their values already.
 class LedWay {
   public:
     LedWay() = default;
     LedWay(const PlannerSetup& setup, const rrs::JointPos& start, std::vector<LedJoint> led);
 
-    /// `joints` with those that are led where they are after a share of the way, 0 to 1.
+    /// Returns `joints` with the `led` ones at their positions after a share of the path, 0 to 1.
     rrs::JointPos put(double share, const rrs::JointPos& joints) const;
-    /// `joints` with synchronous ones at their values: so the tool is seen on its way.
+    /// Returns `joints` with synchronous ones at their values: the tool is seen on its path with these.
     rrs::JointPos as_seen(const rrs::JointPos& joints) const;
     double turn_rad() const { return turn_rad_; }  ///< Norm of what the rotary ones turn.
-    double slide_mm() const { return slide_mm_; }  ///< Of the way of the others.
+    double slide_mm() const { return slide_mm_; }  ///< Norm of the others' paths.
 
   private:
     std::vector<LedJoint> led_;
@@ -50,32 +50,32 @@ class LedWay {
     double slide_mm_ = 0;
 };
 
-/// The way of the joints in a move that leads the tip along a TipWay.
+/// Path of the joints in a move of the controlled point along a TipWay.
 class ToolPath {
   public:
     virtual ~ToolPath() = default;
 
-    /// The joints after a share of the way, 0 to 1; of several solutions the one close to `near`. The error
-    /// is a sentence.
+    /// Returns the joints after a share of the path, 0 to 1; of several solutions the one close to `near`.
+    /// The error is a message.
     virtual tl::expected<rrs::JointPos, std::string> joints_at(double share,
                                                                const rrs::JointPos& near) const = 0;
-    /// The tool centre point in the frame in which the way is told: the work frame, but beside synchronous
+    /// Returns the TCP in the frame in which the path is given: the work frame, except with synchronous
     /// groups (LedWay).
     virtual rrs::CartPos seen(const rrs::JointPos& joints) const = 0;
-    /// What measures the way, and its length: mm of the tip, or rad where the tool turns alone; where it does
-    /// neither, of the joints that are led. 0: there is no way.
+    /// Returns the measure of the path, or its length: mm of the controlled point, or rad if only the tool
+    /// turns. The `led` joints give it if neither moves. A length of 0 means that no path exists.
     JointRole role() const;
     double length() const;
-    /// How far the tool turns, and the joints that are led, rad.
+    /// Returns how far the tool turns, and the `led` joints, rad.
     double turn_rad() const { return turn_rad_ + led_.turn_rad(); }
     const TipWay& way() const { return way_; }
-    /// The tip in the frame of the tool centre point.
+    /// Returns the controlled point in the frame of the tool centre point.
     const Eigen::Vector3d& tip_mm() const { return tip_mm_; }
 
   protected:
     ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad)
         : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad) {}
-    /// Of poses, between which what an inverse leaves is no way.
+    /// Makes a path between poses. The remaining error of an inverse counts as no distance between them.
     ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad, LedWay led)
         : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad), led_(std::move(led)), of_poses_(true) {}
     const LedWay& led() const { return led_; }
@@ -91,35 +91,35 @@ class ToolPath {
     bool of_poses_ = false;
 };
 
-/// All joints but the slides x, y, z go in proportion from `start` to `end`, and these bring the tip to its
-/// way. `setup` must outlive the path.
+/// Returns a path on which all joints except the slides x, y, z move in proportion from `start` to `end`. The
+/// slides bring the controlled point to its path. `setup` must outlive the path.
 std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const Eigen::Vector3d& tip_mm,
                                    const rrs::JointPos& start, const rrs::JointPos& end);
 
-/// A frame of the tool, `tool` in that of the tool centre point, turns evenly about one axis from where it is
-/// with the joints at `start` to `end`, a pose in the work frame, while its origin goes along the way and the
-/// joints of `led` go theirs. `setup` must outlive the path.
+/// Returns a path on which a tool frame, `tool` in that of the tool centre point, turns evenly about one
+/// axis. It turns from its pose with the joints at `start` to `end`, a pose in the work frame. Its origin
+/// moves along `way` meanwhile, and the joints of `led` along theirs. `setup` must outlive the path.
 std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool,
                                     const rrs::JointPos& start, const rrs::CartPos& end, LedWay led = {});
 
-/// `joints` with the values of the slides x, y, z that bring the tip to a point of the work frame; nothing
-/// where two slides go the same way, or one is missing.
+/// Returns `joints` with the values of the slides x, y, z that bring the controlled point to a point of the
+/// work frame. Returns nullopt if two slides move in the same direction, or one is missing.
 std::optional<rrs::JointPos> place_tip(const PlannerSetup& setup, const rrs::JointPos& joints,
                                        const Eigen::Vector3d& tip_mm, const Eigen::Vector3d& point_mm);
 
-/// A piece of a path on which the joints go in proportion.
+/// Sub-segment of a path on which the joints move in proportion.
 struct PathPiece {
-    double share = 0;   ///< Of the whole way.
-    rrs::JointPos end;  ///< Where it leads.
+    double share = 0;   ///< Share of the full path.
+    rrs::JointPos end;  ///< Joints at its end.
     rrs::JointPos
-        bend;  ///< Second derivative of the joints by the way, without sign: per length of the path^2.
+        bend;  ///< Second derivative of the joints by the path, without sign: per length of the path^2.
 };
 
-/// Cuts a path from `start` into pieces on which the tip leaves its way by at most tcp_tolerance_mm of the
-/// controller, and the tool its orientation by 1e-4 rad, compared at the same share of the way: found by
-/// halving, with looks at the quarters of each piece. RRS_NO_SOLUTION where a pose is out of reach, or the
-/// joints would have to jump (a singular place on the way), RRS_JOINT_LIMIT, RRS_INVALID_PARAMETER for more
-/// than 200,000 pieces. No pieces where there is no way.
+/// Cuts a path from `start` into sub-segments. The controlled point leaves its path by at most
+/// tcp_tolerance_mm of the controller on them, and the tool its orientation by 1e-4 rad, compared at the same
+/// share of the path. They are found by halving, with checks at the quarters of each. Errors: RRS_NO_SOLUTION
+/// if a pose is out of reach, or the joints would have to jump (a singular position on the path),
+/// RRS_JOINT_LIMIT, RRS_INVALID_PARAMETER for more than 200,000 sub-segments. Returns none if no path exists.
 tl::expected<std::vector<PathPiece>, PlanError> cut(const ToolPath& path, const PlannerSetup& setup,
                                                     const rrs::JointPos& start);
 

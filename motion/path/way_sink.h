@@ -4,16 +4,16 @@
 
 namespace gsim::motion {
 
-/// Is told the ways that the program asks for, in their order, of the moves that a MotionModel gets: before
-/// it rounds their corners, merges them or makes chords of them.
+/// Receiver of the paths that the program requests, in their order, for the moves that a MotionModel gets:
+/// before it rounds their corners, merges them or makes chords of them.
 class WaySink {
   public:
     virtual ~WaySink() = default;
-    /// A move that the model is about to get.
+    /// Receives a move that the model is about to get.
     virtual void programmed(const PathMove& move) = 0;
-    /// The model has refused the move that was told last.
+    /// Takes back the last reported move, which the model has rejected.
     virtual void take_back() = 0;
-    /// What has not been driven so far will not be.
+    /// Drops what has not been driven so far, because it will not be.
     virtual void forget() = 0;
 };
 

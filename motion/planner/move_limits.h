@@ -8,30 +8,30 @@
 
 namespace gsim::motion {
 
-/// A place on a way of the joints.
+/// Position on a joint path.
 struct WayPoint {
     rrs::JointPos position;  ///< mm or rad
-    rrs::JointPos slope;     ///< Change of the joints by length of way.
+    rrs::JointPos slope;     ///< Change of the joints per path length.
 };
 
-/// A way whose accelerations are asked for.
+/// Path for which accelerations are requested.
 struct WayToLimit {
     std::vector<WayPoint> points;  ///< In order, three at least.
-    /// The joints go in proportion, by the slope of any point; else each may need what it has in either sense
-    /// at any place.
+    /// True if the joints move in proportion, by the slope of any point. Otherwise each may need what it has
+    /// in either direction at any position.
     bool straight = false;
-    bool rests = false;    ///< It begins and ends at rest; else it may be passed at any speed.
+    bool rests = false;    ///< True if it begins and ends at standstill; else any speed may occur.
     double length = 0;     ///< mm or rad; 0: of a corner.
     double curvature = 0;  ///< The greatest, by that length.
-    double max_speed = 0;  ///< That nothing but accelerations lowers; finite.
+    double max_speed = 0;  ///< Speed that only accelerations lower; finite.
 };
 
-/// Sets the accelerations of the joints for single moves, where they are no constants of the machine.
+/// Source of the joint accelerations for single moves, if they are no constants of the machine.
 class MoveLimits {
   public:
     virtual ~MoveLimits() = default;
-    /// Sets the accelerations and decelerations in `joints` to what holds all along the way, at all speeds up
-    /// to way.max_speed, which it may lower. RRS_INVALID_PARAMETER where none does.
+    /// Sets the accelerations and decelerations in `joints` to values that hold all along the path, at all
+    /// speeds up to way.max_speed, which it may lower. Error: RRS_INVALID_PARAMETER if no values do.
     virtual Planned limit(WayToLimit& way, std::vector<JointSetup>& joints) const = 0;
 };
 

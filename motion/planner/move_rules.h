@@ -6,19 +6,19 @@
 
 namespace gsim::motion {
 
-/// What counts for the time of one linear or circular move besides the limits of its joints.
+/// Rules for the time of one linear or circular move, in addition to the limits of its joints.
 struct MoveRules {
-    double programmed_speed_mm_s = kUnlimited;  ///< Of the tool along its path; 0: none was programmed.
+    double programmed_speed_mm_s = kUnlimited;  ///< Speed of the tool along its path; 0: none was programmed.
     double max_path_speed_mm_s = kUnlimited;
     double path_acceleration_mm_s2 = kUnlimited;
     double orientation_speed_rad_s = kUnlimited;
     double orientation_acceleration_rad_s2 = kUnlimited;
     rrs::Dominance dominance = rrs::Dominance::automatic;
-    double least_duration_s = 0;   ///< The move takes this long at least.
-    bool follows_spindle = false;  ///< The programmed speed goes by turns of the spindle.
-    double rapid_share = 1;        ///< Of the speed that the limits leave a rapid move.
+    double least_duration_s = 0;   ///< Minimum duration of the move.
+    bool follows_spindle = false;  ///< True if the programmed speed is per spindle turn.
+    double rapid_share = 1;        ///< Share of the speed that the limits leave a rapid move.
 
-    /// The rules with what a move obeys of the operator's overrides. A hold (0) changes none of them.
+    /// Returns the rules with the operator's overrides that a move obeys. A hold (0) changes none of them.
     MoveRules overridden(const Overrides& overrides, const ObeyedOverrides& obeyed, bool rapid) const {
         MoveRules rules = *this;
         const double share = obeyed.share(overrides, rapid);
@@ -33,8 +33,8 @@ struct MoveRules {
         return rules;
     }
 
-    /// The rules for a move that changes position and orientation (mixed) or only one of them: dominance puts
-    /// the programmed speed of the other out of force.
+    /// Returns the rules for a move that changes position and orientation (mixed) or only one of them:
+    /// dominance deactivates the programmed speed of the other.
     MoveRules resolved(bool mixed) const {
         MoveRules rules = *this;
         if (mixed && dominance == rrs::Dominance::orientation) rules.programmed_speed_mm_s = kUnlimited;

@@ -10,7 +10,7 @@
 
 namespace gsim::motion {
 
-/// What is programmed for single joints, in joint motion alone.
+/// Programmed values of single joints, only for joint motion.
 struct JointTerms {
     explicit JointTerms(int joint_count);
 
@@ -19,7 +19,7 @@ struct JointTerms {
     rrs::JointPos jerks;          ///< mm/s3 or rad/s3
 };
 
-/// How a move is to be made: all that a program asks for but the way. The defaults are those of the services.
+/// Parameters of a move that a program requests, except the path. The defaults are those of the services.
 struct MoveTerms {
     rrs::Dominance dominance = rrs::Dominance::automatic;
     bool rapid = false;
@@ -31,9 +31,9 @@ struct MoveTerms {
     double position_acceleration_mm_s2 = kUnlimited;
     double orientation_acceleration_rad_s2 = kUnlimited;
     double motion_time_s = 0;   ///< Instead of a time from programmed speeds; 0: none.
-    double speed_override = 1;  ///< Of the services; the operator's counts beside it.
+    double speed_override = 1;  ///< Override of the services; the operator's counts as well.
     double acceleration_override = 1;
-    ObeyedOverrides obeyed;                        ///< Of the operator's.
+    ObeyedOverrides obeyed;                        ///< Operator overrides.
     bool follows_spindle = false;                  ///< Speeds go by turns of the spindle.
     std::shared_ptr<const JointTerms> joints;      ///< Null: the joints' own limits.
     std::shared_ptr<const ProgrammedRamps> ramps;  ///< Null: the machine's own.
@@ -41,10 +41,10 @@ struct MoveTerms {
     std::shared_ptr<const PlannerSetup> machine;
 
     rrs::RampMode ramp_mode() const { return ramps ? ramps->mode : rrs::RampMode::machine; }
-    /// The rules for a linear or circular move.
+    /// Returns the rules for a linear or circular move.
     MoveRules rules(const PathLimits& path) const;
-    /// What a joint may do in joint motion, within the limits in force, at a share of its speed (above 1: of
-    /// the programmed one).
+    /// Returns what a joint may do in joint motion, within the active limits, at a share of its speed (above
+    /// 1: of the programmed one).
     LawLimits joint_limits(const PlannerSetup& setup, int joint, double speed_share) const;
 };
 

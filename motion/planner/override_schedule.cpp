@@ -8,7 +8,8 @@ namespace gsim::motion {
 
 namespace {
 
-/// The first change behind an instant. A segment that is cut at a change ends there but for rounding.
+/// Returns the first change after an instant. A segment that is cut at a change ends there except for
+/// rounding.
 auto change_behind(const std::vector<OverrideChange>& changes, double t_s) {
     constexpr double kSameInstant_s = 1e-9;
     return std::upper_bound(

@@ -5,7 +5,7 @@
 
 namespace gsim::motion {
 
-/// What an operator has turned the overrides to, as shares of what is programmed (1: 100 %).
+/// Operator overrides, as shares of the programmed values (1: 100 %).
 struct Overrides {
     double feed = 1;
     double rapid = 1;
@@ -14,13 +14,14 @@ struct Overrides {
     bool operator==(const Overrides&) const = default;
 };
 
-/// What a move obeys of them. Not what a program has locked, nor what the kind of the move is deaf to.
+/// Overrides that a move obeys: not those that a program has locked, nor those that do not affect this kind
+/// of move.
 struct ObeyedOverrides {
     bool feed = true;
     bool rapid = true;
-    bool spindle = false;  ///< Its feed follows the spindle, whose speed the operator has turned.
+    bool spindle = false;  ///< True if its feed follows the spindle with the operator's override.
 
-    /// The share of the programmed speed, or of a rapid's, at which the move goes.
+    /// Returns the share of the programmed speed, or of a rapid's, at which the move runs.
     double share(const Overrides& overrides, bool is_rapid) const {
         if (is_rapid) return rapid ? overrides.rapid : 1;
         return (feed ? overrides.feed : 1) * (spindle ? overrides.spindle : 1);
@@ -36,7 +37,7 @@ struct OverrideChange {
     bool operator==(const OverrideChange&) const = default;
 };
 
-/// What an operator turns the overrides to in the course of a run: all 1 until the first change.
+/// Override changes of an operator in the course of a run: all 1 until the first change.
 class OverrideSchedule {
   public:
     OverrideSchedule() = default;
@@ -44,11 +45,12 @@ class OverrideSchedule {
     explicit OverrideSchedule(std::vector<OverrideChange> changes) : changes_(std::move(changes)) {}
 
     const std::vector<OverrideChange>& changes() const { return changes_; }
-    /// In force at an instant; a change is at its own.
+    /// Returns the overrides that are active at an instant; a change is active at its own.
     Overrides at(double t_s) const;
-    /// The first change behind an instant; infinite where none is.
+    /// Returns the first change after an instant; infinite if none follows.
     double next_change_s(double t_s) const;
-    /// The first instant from `t_s` on at which `obeyed` lets a move go: `t_s`, or the end of a hold.
+    /// Returns the first instant from `t_s` on at which `obeyed` lets a move run: `t_s`, or the end of a
+    /// hold.
     double free_s(double t_s, const ObeyedOverrides& obeyed, bool is_rapid) const;
 
   private:

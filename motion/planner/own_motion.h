@@ -8,22 +8,22 @@
 
 namespace gsim::motion {
 
-/// Joints that go by themselves beside the moves of the program (an independent group of axes): in
-/// proportion, from rest to rest, as fast as their own limits let them. Moves are planned as if they stood at
-/// their ends already; what is left of their way is added to each segment as a motion beside it.
+/// Joints that move independently of the program's moves (an independent group of axes): in proportion, from
+/// standstill to standstill, as fast as their own limits allow. Moves are planned as if these joints were at
+/// their ends already. The remainder of their path is added to each segment as a superimposed motion.
 class OwnMotion {
   public:
-    /// From `start` on, of which these joints go to their values in `end`. RRS_INVALID_PARAMETER,
-    /// RRS_ZERO_SPEED.
+    /// Plans the motion of these joints from `start` on to their values in `end`. Errors:
+    /// RRS_INVALID_PARAMETER, RRS_ZERO_SPEED.
     static tl::expected<OwnMotion, PlanError> plan(const PlannerSetup& setup, const rrs::JointPos& start,
                                                    const rrs::JointPos& end, double start_s);
 
     double end_s() const { return start_s_ + law_.duration_s(); }
-    /// Whether the joint is one of them.
+    /// True if the joint is one of them.
     bool moves(int joint) const { return way_[joint] != 0; }
-    /// What is left of their way at a time: of their places less those of their ends.
+    /// Returns the remainder of their path at a time: their positions minus those of their ends.
     rrs::JointPos left(double time_s) const;
-    /// Adds to a segment in which these joints stand at their ends what is left of their way.
+    /// Adds the remainder of their path to a segment in which these joints are at their ends.
     void carry(Segment& segment) const;
 
   private:
@@ -31,7 +31,7 @@ class OwnMotion {
 
     double start_s_ = 0;
     rrs::JointPos way_;
-    TimeLaw law_;  ///< Of the share of the way, 0 to 1.
+    TimeLaw law_;  ///< Law of the path share, 0 to 1.
 };
 
 }  // namespace gsim::motion

@@ -9,14 +9,14 @@
 
 namespace gsim::motion {
 
-/// Why a target was refused, or what else is to be told about it.
+/// Reason why a target was rejected, or another note about it.
 struct PlanError {
     rrs::Status status = rrs::Status::RRS_SUCCESS;
-    std::string message;  ///< A sentence; joints by index from 0, values in mm or rad.
-    int joint = -1;       ///< The joint to blame, where it is one (RRS_JOINT_LIMIT, or a
-                          ///< motor that has not enough).
-    double value = 0;     ///< That the joint would take (mm or rad).
-    double limit = 0;     ///< That it would pass (mm or rad).
+    std::string message;  ///< Message; joints by index from 0, values in mm or rad.
+    int joint =
+        -1;  ///< The joint that causes the error, if any (RRS_JOINT_LIMIT, or a motor that does not suffice).
+    double value = 0;  ///< Value that the joint would take (mm or rad).
+    double limit = 0;  ///< That it would pass (mm or rad).
 };
 
 using Planned = tl::expected<void, PlanError>;

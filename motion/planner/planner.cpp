@@ -68,7 +68,7 @@ void Planner::start_over() {
     has_position_ = false;
 }
 
-// The models look at setup_; what they hold back keeps the limits that it was given.
+// The models refer to setup_; their pending moves keep the limits that they were given.
 void Planner::use(const MoveTerms& terms) {
     if (terms.machine == machine_in_force_ && terms.ramps == ramps_in_force_) return;
     machine_in_force_ = terms.machine;
@@ -77,7 +77,7 @@ void Planner::use(const MoveTerms& terms) {
     if (terms.ramps) put_in_force(*terms.ramps, machine_, setup_);
 }
 
-/// What the model leaves out at the end is reached there.
+/// Targets that the model leaves out at the end are reached there.
 void Planner::end_model() {
     if (!model_) return;
     model_->come_to_rest();
@@ -125,7 +125,7 @@ void Planner::flush() {
     while (!queue_.empty()) emit_front();
 }
 
-// The segment leaves the queue before the sink sees it: it stays whole in its slot until a move takes the
+// The segment leaves the queue before the sink sees it. It stays complete in its slot until a move takes the
 // slot, and leaves only once even if the sink throws.
 void Planner::emit_front() {
     const Segment& segment = queue_.front();

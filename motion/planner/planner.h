@@ -26,169 +26,173 @@
 
 namespace gsim::motion {
 
-/// The target of what no target asked for, such as the time in which the controller waits for its program.
+/// Target of motion without a target, such as the time in which the controller waits for its program.
 inline constexpr rrs::TargetId kNoTarget = -1;
 
-/// Looks at a segment, and answers with the instant on the planner's clock at which its motion is to be
-/// stopped, if it is.
+/// Function that checks a segment and returns the instant on the planner's clock at which its motion is to be
+/// stopped, if any.
 using StopSearch = std::function<std::optional<double>(const Segment&)>;
 
-/// A move that was put takes longer than it asks for: the machine can do it no faster.
+/// Note that an enqueued move takes longer than requested: the machine can do it no faster.
 struct TimeRaised {
     double takes_s = 0;
     double asked_s = 0;
-    bool at_least = false;  ///< How much longer is not known before the moves behind it.
+    bool at_least = false;  ///< True if the time is only known after the following moves.
 };
 
-/// The same as an answer: RRS_MOTION_TIME_RAISED and a sentence.
+/// Returns the same as a result: RRS_MOTION_TIME_RAISED and a message.
 PlanError time_raised(const TimeRaised& raised);
 
-/// Whether a value that is programmed is above 0; `what` it is. RRS_INVALID_PARAMETER.
+/// Checks that a programmed value is above 0; `what` is its name. Error: RRS_INVALID_PARAMETER.
 Planned check_positive(double value, std::string_view what);
-/// Whether a move may be asked to take a time. RRS_INVALID_PARAMETER.
+/// Checks that a move may be requested to take a time. Error: RRS_INVALID_PARAMETER.
 Planned check_motion_time(double motion_s);
 
-/// What becomes of a move that is put; an error leaves all as it was.
+/// Result of an enqueued move; an error leaves everything unchanged.
 using Put = tl::expected<std::optional<TimeRaised>, PlanError>;
 
-/// The planner for machines whose maker gives none (thesis 5.3.2): moves, each a whole value, become
-/// segments. Joint, linear and circular motion comes to rest at each target, or, where the setup names a
-/// controller that does not, linear and circular motion goes by that controller's MotionModel. A clock starts
-/// at 0.
+/// Planner for machines without a planner of their manufacturer (thesis 5.3.2): moves, each a complete value,
+/// become segments. Joint, linear and circular motion stops at each target. Linear and circular motion is
+/// made by a controller's MotionModel if the setup names a controller that does not stop there. A clock
+/// starts at 0.
 ///
-/// Each move (and each rest) becomes segments at the end of a queue: one, or with a model as many as it
+/// Each move (and each dwell) becomes segments at the end of a queue: one, or with a model as many as it
 /// makes of it. Segments leave the queue in order, each exactly once, to the sink: all of them with flush(),
-/// those that step() passes, and the oldest by itself when the queue is full. Without a sink a full queue is
-/// RRS_QUEUE_FULL. The step clock never stands before the end of what has left. Without a model a move to
-/// where the robot stands already becomes a segment of no duration, so that target ids arrive complete and in
-/// order. A model may hold moves back until it knows those that follow: joint motion, rests, flush(), stop()
-/// and step() past the end of what is planned make it come to rest.
+/// those that step() passes, and the oldest by itself if the queue is full. A full queue is RRS_QUEUE_FULL
+/// without a sink. The step clock is never before the end of what has left. A move to the current position
+/// becomes a segment of no duration without a model, so that target ids arrive complete and in order. A model
+/// may keep moves pending until it knows those that follow: joint motion, dwells, flush(), stop() and step()
+/// past the end of the plan make it stop.
 ///
-/// Mixed moves at rest to rest: the path of the position joints leads by the programmed speed; each other
-/// joint follows by its own fastest ramps; the slowest of all sets the time, and the others run slower to
-/// take as long. The rotary joints of a via point are not looked at. Where rapids are not interpolated each
-/// joint of one goes by itself (apart_move.h), also where a tip or a pose is led: that is for feeds.
+/// Mixed moves from standstill to standstill: the path of the position joints is the master, by the
+/// programmed speed. Each other joint follows by its own fastest ramps. The slowest of all sets the time, and
+/// the others run slower to take as long. The rotary joints of a via point are not checked. Each joint of a
+/// rapid moves uncoordinated (apart_move.h) if rapids are not interpolated, even with TCP control or a pose:
+/// these are for feeds.
 class Planner {
   public:
-    /// `sink`, where there is one, must outlive the planner, and must not call it while it takes a segment.
-    /// Throws std::invalid_argument with the sentence of setup.validate() where that finds fault.
+    /// Makes a planner. `sink`, if any, must outlive the planner, and must not call it while it takes a
+    /// segment. Throws std::invalid_argument with the message of setup.validate() if that finds an error.
     explicit Planner(PlannerSetup setup, SegmentSink* sink = nullptr);
     Planner(const Planner&) = delete;
     Planner& operator=(const Planner&) = delete;
 
-    /// What the operator turns the overrides to, on this planner's clock. Before the first move.
+    /// Sets the operator's overrides, on this planner's clock. Call before the first move.
     void set_overrides(std::shared_ptr<const OverrideSchedule> overrides) {
         machine_.overrides = setup_.overrides = std::move(overrides);
     }
-    /// What sets the accelerations of the joints for each move. Before the first move.
+    /// Sets the source of the joint accelerations for each move. Call before the first move.
     void set_move_limits(std::shared_ptr<const MoveLimits> limits) {
         machine_.move_limits = setup_.move_limits = std::move(limits);
     }
-    /// From now on `ways`, which must outlive the planner, is told what the model's moves are to be.
+    /// Reports the paths of the model's moves to `ways` from now on, which must outlive the planner.
     void tell_ways(WaySink& ways) { ways_ = &ways; }
-    /// Back to the beginning: the clock at 0, nothing queued, no position, the machine as it is.
+    /// Returns to the beginning: the clock at 0, an empty queue, no position, the machine unchanged.
     void start_over();
-    /// Puts in force what these terms change of the machine, as a move with them does.
+    /// Activates what these terms change of the machine, as a move with them does.
     void use(const MoveTerms& terms);
 
-    /// The machine as the planner was given it; and with what the last terms have changed of it.
+    /// Returns the machine as the planner was given it, or (setup()) with the changes of the last terms.
     const PlannerSetup& machine() const { return machine_; }
     const PlannerSetup& setup() const { return setup_; }
-    /// Whether its moves may end without a stop.
+    /// True if its moves may end without a stop.
     bool passes_targets() const { return model_ != nullptr; }
 
-    /// RRS_MODE_NOT_SUPPORTED where the machine has no three slides that make up for what its rotary joints
-    /// move the tip.
+    /// Returns RRS_MODE_NOT_SUPPORTED if the machine does not have three slides that compensate for the TCP
+    /// motion of its rotary joints.
     Planned check_tip_control() const;
-    /// RRS_MODE_NOT_SUPPORTED where the controller has ramps of its own.
+    /// Returns RRS_MODE_NOT_SUPPORTED if the controller has its own ramps.
     Planned check_ramps() const;
-    /// The joint values of a place: of a pose those nearest to the last target. RRS_INVALID_PARAMETER,
-    /// RRS_NO_SOLUTION, RRS_JOINT_LIMIT.
+    /// Computes the joint values of a position; for a pose those nearest to the last target. Errors:
+    /// RRS_INVALID_PARAMETER, RRS_NO_SOLUTION, RRS_JOINT_LIMIT.
     Planned solve(const Goal& goal, rrs::JointPos& joints) const;
-    /// Whether they are values for the joints of this machine, whatever their ranges. RRS_INVALID_PARAMETER.
+    /// Checks that they are values for the joints of this machine, independent of their ranges. Error:
+    /// RRS_INVALID_PARAMETER.
     Planned check_joints(const rrs::JointPos& joints) const;
-    /// Where the robot stands, at rest, before the next move; what is queued before is finished first.
+    /// Sets the position of the robot, at standstill, before the next move; queued motion is finished first.
     Planned stand_at(const Goal& goal);
-    /// Whether a move may be put now. RRS_NO_INITIAL_POSITION; RRS_QUEUE_FULL while a motion is stopped.
+    /// Checks that a move may be enqueued now. Errors: RRS_NO_INITIAL_POSITION; RRS_QUEUE_FULL while a motion
+    /// is stopped.
     Planned ready_for_move() const;
-    /// Queues a move. RRS_NO_INITIAL_POSITION, RRS_QUEUE_FULL, and what solve() and the planning answer.
+    /// Enqueues a move. Errors: RRS_NO_INITIAL_POSITION, RRS_QUEUE_FULL, and those of solve() and the
+    /// planning.
     Put put(const Move& move);
-    /// A move that something may end: flush(), then the move is planned to its end at rest and shown to
-    /// `search`, segment by segment. At the instant that it answers the motion is stopped as by stop(), and
-    /// the rest of it is dropped; then flush().
+    /// Enqueues a move that an event may end. Calls flush(), plans the move to its end at standstill and
+    /// passes it to `search`, segment by segment. The motion is stopped as by stop() at the instant that
+    /// `search` returns, and its remainder is dropped; then flush() follows.
     Put put_until(const Move& move, const StopSearch& search);
-    /// Queues a dwell from 0 to kLongest_s.
+    /// Enqueues a dwell from 0 to kLongest_s.
     Planned put_rest(rrs::TargetId id, double rest_s);
 
-    /// Joints go to their values in `end` by themselves (OwnMotion), from the end of what is planned on,
-    /// which is at rest; moves that follow do not wait for them. RRS_MODE_NOT_SUPPORTED while others do,
-    /// along a conveyor and where corners are rounded; RRS_INVALID_PARAMETER, RRS_JOINT_LIMIT.
+    /// Moves joints independently to their values in `end` (OwnMotion), from the end of the plan on, which is
+    /// at standstill. Moves that follow do not wait for them. Errors: RRS_MODE_NOT_SUPPORTED while other
+    /// joints move so, along a conveyor and if corners are rounded; RRS_INVALID_PARAMETER, RRS_JOINT_LIMIT.
     Planned put_own(const rrs::JointPos& end);
-    /// When the joints that go by themselves stand; 0 where none has.
+    /// Returns the time at which the independent joints stop; 0 if none has moved.
     double own_end_s() const { return own_ ? own_->end_s() : 0; }
 
-    /// Makes all queued segments final and passes them on; the step clock goes to their end. Continues a
+    /// Makes all queued segments final and passes them on; the step clock moves to their end. Continues a
     /// stopped motion.
     void flush();
-    /// Plans what a model holds back to end at rest. `waits`: the controller then waits for its program,
-    /// which takes its rest_s if anything has moved since it did so last.
+    /// Plans a model's pending moves to end at standstill. The controller then waits for its program if
+    /// `waits`, which takes its rest_s if anything has moved since it did so last.
     void come_to_rest(bool waits = false);
-    /// come_to_rest() at the end of a program, whose last positions go through the controller's position
-    /// loop.
+    /// Calls come_to_rest() at the end of a program. Its last positions pass through the controller's
+    /// position loop.
     void come_to_last_rest();
 
-    /// Up to here all motion has left the queue; infinite where nothing is in it.
+    /// Returns the time up to which all motion has left the queue; infinite if the queue is empty.
     double passed_on_s() const;
-    /// End of the last planned segment; what a model holds back is not counted.
+    /// Returns the end of the last planned segment; a model's pending moves do not count.
     double time_s() const { return end_s_; }
-    /// Where step() stands.
+    /// Returns the time of step().
     double step_time_s() const { return step_s_; }
     bool has_position() const { return has_position_; }
-    /// Joint values at the last target; while a conveyor is tracked, in its frame.
+    /// Returns the joint values at the last target; while a conveyor is tracked, in its frame.
     const rrs::JointPos& position() const { return position_; }
 
-    /// Where a step ends.
+    /// End of a step.
     struct Step {
         enum class End { under_way, target_reached, at_end } end = End::under_way;
         rrs::JointPos joints;
-        double elapsed_s = 0;  ///< Less than was asked for only where the queue came to its end.
+        double elapsed_s = 0;  ///< Less than requested only if the queue came to its end.
     };
-    /// Moves on by a time; there has to be a position.
+    /// Moves on by a time; a position must be set.
     Step step(double interpolation_s);
-    /// The target whose motion or rest the last step ended in.
+    /// Returns the target of the motion or dwell in which the last step ended.
     rrs::TargetId target_of_last_step() const { return step_target_; }
-    /// The target that the motion from there on leads to; kNoTarget where there is none.
+    /// Returns the target to which the motion from there on leads; kNoTarget if none exists.
     rrs::TargetId current_target() const;
 
-    /// Brakes from the instant at which step() stands, each joint within its limits (stop.h), over as many
-    /// segments as it takes; step() then goes on to the stop. Until go_on() or cancel() moves are refused
-    /// (RRS_QUEUE_FULL). RRS_MODE_NOT_SUPPORTED along a conveyor, RRS_NO_INITIAL_POSITION.
+    /// Brakes from the instant of step(), each joint within its limits (stop.h), over as many segments as it
+    /// takes; step() then continues to the stop. Moves are rejected until go_on() or cancel()
+    /// (RRS_QUEUE_FULL). Errors: RRS_MODE_NOT_SUPPORTED along a conveyor, RRS_NO_INITIAL_POSITION.
     Planned stop();
     bool is_stopped() const { return stopped_.has_value(); }
-    /// Goes on with a motion that is stopped.
+    /// Continues a stopped motion.
     void go_on();
-    /// Drops the rest of a motion that is stopped, and what is queued behind it.
+    /// Drops the remainder of a stopped motion, and what is queued after it.
     void cancel();
 
-    /// Events come true in the steps: an offset from reaching a target.
+    /// Defines an event at an offset from reaching a target. Events occur in the steps.
     void define_event(int event_id, rrs::TargetId target, EventOffset offset) {
         events_.define(event_id, target, offset);
     }
     bool cancel_event(int event_id) { return events_.cancel(event_id); }
     const std::vector<EventList::CameTrue>& events_of_last_step() const { return events_.came_true(); }
 
-    /// As the services of the same names; `direction` in the machine's own frame. RRS_INVALID_PARAMETER,
-    /// RRS_MODE_NOT_SUPPORTED, RRS_JOINT_LIMIT.
+    /// Does the same as the service of this name; `direction` is in the machine's own frame. Errors:
+    /// RRS_INVALID_PARAMETER, RRS_MODE_NOT_SUPPORTED, RRS_JOINT_LIMIT.
     Planned define_conveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s);
     Planned set_conveyor_position(int conveyor, double position_mm);
-    /// `base`: how the machine has been turned in the world from where its kinematics have it.
+    /// Selects tracking. `base` is the turn of the machine in the world relative to its kinematics.
     Planned select_tracking(int conveyor, bool on, const Eigen::Matrix3d& base);
     bool is_tracking() const { return tracked_.has_value(); }
-    /// Whether the step clock stands where a conveyor is tracked, or was.
+    /// True if the step clock is at a time at which a conveyor is tracked, or was.
     bool steps_along_conveyor() const { return tracked_ || step_s_ < conveyor_until_s_; }
 
   private:
-    // Where the model puts its segments: the end of the queue.
+    // Output of the model's segments: the end of the queue.
     class Output final : public SegmentOutput {
       public:
         explicit Output(Planner& planner) : planner_(planner) {}
@@ -231,7 +235,7 @@ class Planner {
     Put put_tool_move(const Move& move);
     Planned add_pieces(const PathMove& whole, const ToolPath& path, const std::vector<PathPiece>& pieces);
 
-    // What the operator turns, where there is no model (planner_overrides.cpp).
+    // Operator overrides without a model (planner_overrides.cpp).
     Overrides overrides_now() const;
     double share_now(const ObeyedOverrides& obeyed, bool rapid) const;
     void wait_out_hold(rrs::TargetId id, const rrs::JointPos& at, const ObeyedOverrides& obeyed, bool rapid);
@@ -241,7 +245,7 @@ class Planner {
     void plan_rest_of(OnWay& on_way, double start_speed);
     bool put_next_part(OnWay& on_way);
 
-    // Joints that go by themselves (planner_own.cpp).
+    // Independent joints (planner_own.cpp).
     bool has_own_motion(double time_s) const;
     Planned check_own(const Move& move) const;
 
@@ -263,32 +267,32 @@ class Planner {
     std::optional<AxisSpace> axis_space_;
     SegmentQueue queue_;
     rrs::JointPos position_;
-    PathMove path_;  ///< Of the move that is put.
+    PathMove path_;  ///< Path of the enqueued move.
     Output output_{*this};
-    std::unique_ptr<MotionModel> model_;       ///< None where each move ends at rest.
-    std::unique_ptr<MotionModel> tool_model_;  ///< For the pieces of tool moves, where model_ cannot.
+    std::unique_ptr<MotionModel> model_;       ///< Null if each move ends at standstill.
+    std::unique_ptr<MotionModel> tool_model_;  ///< Model for sub-segments of tool moves, if model_ cannot.
     HeldTargets held_;                         ///< By the model.
     EventList events_;
-    /// What is left of a stopped motion, and where it stands.
+    /// Remainder of a stopped motion, and its position.
     struct Stopped {
         std::vector<Segment> rest;
         rrs::JointPos position;
     };
     std::optional<Stopped> stopped_;
     std::map<int, ConveyorMotion> conveyors_;
-    /// The conveyor in whose frame targets are, position_ as well.
+    /// Conveyor that gives the frame of the targets, and of position_.
     struct Tracked {
         int conveyor;
         ConveyorFrame frame;
-        PlannerSetup setup;  ///< What the machine has left beside the conveyor's speed.
+        PlannerSetup setup;  ///< Machine with the speed that the conveyor leaves.
     };
     std::optional<Tracked> tracked_;
     std::optional<OwnMotion> own_;
     double conveyor_until_s_ = 0;  ///< When the last one was left.
-    bool keeps_all_ = false;       ///< Nothing leaves the queue by itself; it grows instead.
+    bool keeps_all_ = false;       ///< True: segments leave the queue only explicitly; it grows.
     double end_s_ = 0;
     double step_s_ = 0;
-    rrs::TargetId step_target_ = kNoTarget;  ///< Of the last step.
+    rrs::TargetId step_target_ = kNoTarget;  ///< Target of the last step.
     double waited_s_ = 0;                    ///< When the controller waited for its program last.
     bool has_position_ = false;
 };

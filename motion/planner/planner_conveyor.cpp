@@ -95,14 +95,14 @@ Planned Planner::stop_tracking() {
     return {};
 }
 
-/// The machine as a motion along the conveyor, or else any, may use it.
+/// Returns the machine as a motion along the conveyor may use it, or else any motion.
 const PlannerSetup& Planner::setup_for_motion() {
     if (!tracked_) return setup_;
     tracked_->setup = tracked_->frame.setup_within(setup_);
     return tracked_->setup;
 }
 
-/// A segment in the frame of the conveyor becomes one of the machine.
+/// Converts a segment in the frame of the conveyor into one of the machine.
 Planned Planner::carry(Segment& segment) const {
     if (!tracked_) return {};
     tracked_->frame.carry(segment);

@@ -1,5 +1,4 @@
-// How Planner follows the operator's overrides in motion from rest to rest. Models follow them
-// themselves.
+// Operator overrides of Planner in motion from standstill to standstill. Models follow them themselves.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,7 @@ void keep_ramps(const LawLimits& before, LawLimits& limits) {
 
 }  // namespace
 
-/// The rest of a move that is under way, and the law by which it would go on.
+/// Remainder of an active move, and the law by which it would continue.
 struct Planner::OnWay {
     PathMove move;
     double length = 0;  ///< By the measure of its lead.
@@ -36,7 +35,7 @@ Overrides Planner::overrides_now() const {
     return setup_.overrides ? setup_.overrides->at(end_s_) : Overrides{};
 }
 
-/// Of the programmed speed, which the next move has; a hold has ended before it begins.
+/// Returns the share of the programmed speed for the next move; a hold has ended before it begins.
 double Planner::share_now(const ObeyedOverrides& obeyed, bool rapid) const {
     const double share = obeyed.share(overrides_now(), rapid);
     return share > 0 ? share : 1;
@@ -56,8 +55,9 @@ void Planner::wait_out_hold(rrs::TargetId id, const rrs::JointPos& at, const Obe
     output_.finish();
 }
 
-/// A motion from rest to rest goes to the queue, in parts where the operator turns an override on its way.
-/// Where joints have laws of their own, or the whole has a time, the next motion is the first to obey.
+/// Appends a motion from standstill to standstill to the queue, in parts if the operator changes an override
+/// during it. The next motion is the first to obey if joints have laws of their own, or the complete motion
+/// has a time.
 void Planner::append_overridden(const PathMove& path, Segment& segment) {
     const bool whole = !setup_.overrides || tracked_ || !segment.followers().empty() ||
                        path.rules.least_duration_s > 0 ||
@@ -69,7 +69,8 @@ void Planner::append_overridden(const PathMove& path, Segment& segment) {
     }
 }
 
-/// Puts what is done until the operator turns an override again, or stops it; false where that was the last.
+/// Outputs the part until the operator changes an override again, or stops the motion. Returns false if that
+/// was the last part.
 bool Planner::put_next_part(OnWay& on_way) {
     const Overrides now = overrides_now();
     double start_speed = on_way.law.start_speed();
@@ -111,7 +112,7 @@ void Planner::put_part(OnWay& on_way, const TimeLaw& law, double t_s) {
     on_way.length -= to;
 }
 
-/// The rest of the way by the overrides now, from the speed that is reached.
+/// Plans the remainder of the path by the current overrides, from the speed that is reached.
 void Planner::plan_rest_of(OnWay& on_way, double start_speed) {
     Segment rest;
     rest.position_joints = setup_.position_joints;
@@ -121,7 +122,7 @@ void Planner::plan_rest_of(OnWay& on_way, double start_speed) {
     const bool arc = rest.kind == SegmentKind::circular;
     const auto setup = setup_on(on_way.move);
     if (setup && (arc ? plan_arc(**setup, rules, rest) : plan_line(**setup, rules, rest))) {
-        // What a move has of its own holds up to the speed that it was planned for.
+        // The move's own limits hold up to the speed that it was planned for.
         if (setup_.move_limits) keep_ramps(on_way.limits, rest.lead_limits);
         on_way.length = rest.lead.length();
         on_way.limits = rest.lead_limits;

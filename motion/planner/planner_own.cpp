@@ -1,4 +1,4 @@
-// Joints that go by themselves beside the moves of Planner (independent groups of axes).
+// Joints that move independently of the moves of Planner (independent groups of axes).
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kStands = 1e-12;  // mm or rad
 
-/// A corner that is rounded is two motions at once already, and there is room for one beside the program's.
+/// A rounded corner already consists of two simultaneous motions, and only one can be superimposed on the
+/// program's.
 bool rounds_corners(const rrs::ControllerRules& controller) {
     return controller.planner == rrs::PlannerKind::linuxcnc || is_blend(controller.corner) ||
            is_blend(controller.exact_path_corner);
@@ -49,7 +50,7 @@ Planned Planner::put_own(const rrs::JointPos& end) {
     return {};
 }
 
-/// No move leads a joint that is under way by itself.
+/// Rejects a move of a joint that currently moves independently.
 Planned Planner::check_own(const Move& move) const {
     if (!has_own_motion(end_s_)) return {};
     bool leads = move.goal.pose && !holds_joints();

@@ -1,5 +1,4 @@
-// How a move becomes segments: what it asks for in joint space, then a motion of its own or one of the
-// model's.
+// Conversion of a move into segments: its request in joint space, then a separate motion or one of the model.
 
 #include <cmath>
 #include <utility>
@@ -31,8 +30,9 @@ constexpr double kLargestValue = 1e12;  // mm or rad; what is computed from it s
 constexpr double kSameTime = 1e-9;      // relative
 constexpr double kLeastTime_s = 1e-6;
 
-/// A model takes moves before it can tell their times. By the machine's speeds this one takes so long at
-/// least; 0 where the program asks for no time, or the controller takes that of an arc for another thing.
+/// A model takes moves before it can report their times. This is the minimum time of the move by the
+/// machine's speeds. It is 0 if the program requests no time, or if the controller uses the time of an arc
+/// differently.
 double least_s(const PathMove& move, const PlannerSetup& setup) {
     const bool of_chords = move.kind == SegmentKind::circular && setup.controller.inverse_time_of_chords;
     if (move.rules.least_duration_s <= 0 || of_chords) return 0;
@@ -115,7 +115,7 @@ Planned Planner::put_rest(rrs::TargetId id, double rest_s) {
     return {};
 }
 
-/// The setup in force; for a move whose accelerations are its own, in limited_.
+/// Returns the active setup; for a move with its own accelerations, the one in limited_.
 tl::expected<const PlannerSetup*, PlanError> Planner::setup_on(const PathMove& path) {
     if (!setup_.move_limits) return &setup_for_motion();
     auto limited = setup_on_way(path, setup_, overrides_now());
@@ -124,7 +124,7 @@ tl::expected<const PlannerSetup*, PlanError> Planner::setup_on(const PathMove& p
     return &limited_;
 }
 
-/// A dwell as the controller counts it.
+/// Returns a dwell as the controller counts it.
 double Planner::dwell_s(double programmed_s) const {
     const double step_s = setup_.controller.dwell_step_s;
     if (step_s <= 0) return programmed_s;
@@ -158,7 +158,7 @@ Planned Planner::make_room(std::size_t segments) {
 Planned Planner::solve(const Goal& goal, rrs::JointPos& joints) const {
     Planned solved = goal.pose ? solve_pose(*goal.pose, joints) : check_joints(goal.joints);
     if (!goal.pose) joints = goal.joints;
-    if (!solved || tracked_) return solved;  // in the frame of a conveyor: ranges are looked at along the way
+    if (!solved || tracked_) return solved;  // in the frame of a conveyor: ranges are checked along the path
     return check_target_ranges(setup_, joints);
 }
 
@@ -204,7 +204,7 @@ Segment& Planner::begin_segment(Segment& slot, rrs::TargetId id) {
     return slot;
 }
 
-/// Joint motion is no model's, and none goes along a conveyor.
+/// Joint motion does not use the model, and none runs along a conveyor.
 void Planner::leave_model() {
     if (!model_) return;
     end_model();
@@ -234,12 +234,12 @@ Put Planner::put_joint_move(const Move& move) {
     return raised(segment.duration_s * share, move.terms.motion_time_s, false);
 }
 
-/// Whether the joints of a move go in step with each other.
+/// True if the joints of a move are coordinated with each other.
 bool Planner::interpolates(const Move& move) const {
     return setup_.controller.interpolated_rapids || !move.terms.rapid;
 }
 
-/// From rest to rest.
+/// Enqueues a move from standstill to standstill.
 Put Planner::put_path_move(const Move& move) {
     leave_model();
     if (tracked_ && !interpolates(move)) {
@@ -270,7 +270,7 @@ Put Planner::put_path_move(const Move& move) {
 
 Put Planner::put_held_move(const Move& move) {
     if (Planned shaped = shape_path(move); !shaped) return tl::unexpected(std::move(shaped.error()));
-    const bool held = held_.put(path_.target_id);  // before the model puts its motion out
+    const bool held = held_.put(path_.target_id);  // before the model outputs its motion
     if (ways_ != nullptr) ways_->programmed(path_);
     if (Planned planned = model_->add(path_); !planned) {
         if (held) held_.take_back();
@@ -282,7 +282,7 @@ Put Planner::put_held_move(const Move& move) {
     return raised(least_s(path_, setup_), move.terms.motion_time_s, true);
 }
 
-/// What counts of the terms on a path that begins where the robot stands.
+/// Sets the terms that count on a path that begins at the robot's position.
 void Planner::set_terms(const Move& move, PathMove& path) const {
     const MoveTerms& terms = move.terms;
     path.target_id = move.target_id;
@@ -296,7 +296,7 @@ void Planner::set_terms(const Move& move, PathMove& path) const {
     path.merge_tolerance_mm = terms.merge_tolerance_mm;
 }
 
-/// The move as a path of the joints, in path_.
+/// Converts the move into a joint path, in path_.
 Planned Planner::shape_path(const Move& move) {
     set_terms(move, path_);
     path_.kind = SegmentKind::linear;
@@ -337,7 +337,8 @@ Planned Planner::shape_circle(const Move& move, PathMove& path) const {
             "This machine takes the centre of an arc only with joint targets: its position joints do not "
             "span the space of the work frame.");
     }
-    // The tool does not turn here: its centre point goes the same circle beside that of the tool frame.
+    // The tool does not turn here, so its centre point follows the same circle next to that of the tool
+    // frame.
     const rrs::CartPos tool = setup_.kinematics->forward(position_);
     const Eigen::Vector3d center = circle.center_mm - tool.linear() * move.goal.pose->tool.translation();
     return arc_about(start, end, axis_space_->point(center), axis_space_->turn_axis(circle.axis),
@@ -368,7 +369,7 @@ void Planner::append(const Segment& segment) {
     queue_.push();
 }
 
-/// A dwell waits for the program's next block: what was queued before it ends at rest.
+/// A dwell waits for the program's next block, so motion that was queued before it ends at standstill.
 void Planner::append_rest(rrs::TargetId id, double rest_s) {
     end_model();
     Segment& segment = output_.begin(id);

@@ -29,57 +29,57 @@ struct JointSetup {
     double max_speed = kUnlimited;
     double max_acceleration = kUnlimited;
     double max_jerk = kUnlimited;
-    double max_speed_step = kUnlimited;  ///< Jump of speed that the joint stands at a corner.
+    double max_speed_step = kUnlimited;  ///< Jump of speed that the joint tolerates at a corner.
     double step = 0;                     ///< Smallest step of the joint; 0: none.
-    /// For slowing down, where it is another limit than that for speeding up.
+    /// Limit for slowing down, if it differs from that for speeding up.
     std::optional<double> max_deceleration = std::nullopt;
-    /// What a program allows, where MoveLimits put others in the place of these limits.
+    /// Limit set by a program, if MoveLimits replace these limits.
     double programmed_acceleration = kUnlimited;
     double programmed_deceleration = kUnlimited;
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
-    /// What limits changes of speed both ways.
+    /// Returns the limit of speed changes in both directions.
     double least_acceleration() const { return std::min(max_acceleration, deceleration()); }
 };
 
-/// Limits of the tool's path, whatever the joints could do.
+/// Limits of the tool path, independent of what the joints could do.
 struct PathLimits {
-    double max_feed_mm_s = kUnlimited;                 ///< Of linear and circular moves that are not rapid.
-    double max_rapid_mm_s = kUnlimited;                ///< Of rapid moves.
+    double max_feed_mm_s = kUnlimited;   ///< Max feed of linear and circular moves that are not rapid.
+    double max_rapid_mm_s = kUnlimited;  ///< Max speed of rapid moves.
     double max_acceleration_mm_s2 = kUnlimited;        ///< Along the path, in moves that are not rapid.
     double max_rapid_acceleration_mm_s2 = kUnlimited;  ///< Along the path, in rapid moves.
-    double max_jerk_mm_s3 = kUnlimited;                ///< Of the planner of LinuxCNC 2.10, in all moves.
+    double max_jerk_mm_s3 = kUnlimited;                ///< Max jerk of LinuxCNC 2.10's planner, in all moves.
 };
 
-/// What a joint does for the tool.
+/// Function of a joint for the tool.
 enum class JointRole : unsigned char {
-    position,   ///< Carries the tool tip along x, y or z of the axis space.
+    position,   ///< Carries the TCP along x, y or z of the axis space.
     secondary,  ///< Another prismatic joint.
     rotary,
 };
 
-/// All that a planner has to know of a machine; it does not change while the planner lives.
+/// Machine data that a planner needs; it does not change during the planner's lifetime.
 struct PlannerSetup {
     std::vector<JointSetup> joints;
     PathLimits path;
     rrs::ControllerRules controller;
-    /// The prismatic joints whose values are x, y, z of the tool tip in the axis space (but for a rigid
-    /// motion of the space); -1 where absent. All -1: a machine whose tip position is not carried by joints
-    /// so, which has joint motion alone.
+    /// Prismatic joints with the x, y, z of the TCP in the axis space as their values (except for a rigid
+    /// motion of the space); -1 if absent. All -1 means a machine without joints that carry the TCP position
+    /// so, which has only joint motion.
     std::array<int, 3> position_joints{-1, -1, -1};
     std::shared_ptr<const kinematics::Kinematics> kinematics;
-    /// How far the end of an arc may lie off the circle, across and along it, before the arc is refused.
+    /// Max distance of the end of an arc from the circle, across and along it, before the arc is rejected.
     double arc_tolerance_mm = 0.05;
-    /// Segments that wait before the oldest leaves by itself; at least 2.
+    /// Number of segments that wait before the oldest leaves by itself; at least 2.
     std::size_t queue_capacity = 64;
-    /// Where set, it may let targets past the joints' ranges through.
+    /// Optional object that may allow targets past the joint ranges.
     std::shared_ptr<RangeNotes> range_notes;
-    /// What the operator turns the overrides to, on the planner's clock; null: nothing.
+    /// Operator overrides, on the planner's clock; null: none.
     std::shared_ptr<const OverrideSchedule> overrides;
-    /// What sets the accelerations of the joints for each move; null: they are as `joints` has them.
+    /// Source of the joint accelerations for each move; null: they are as in `joints`.
     std::shared_ptr<const MoveLimits> move_limits;
 
-    /// What is wrong with the values, as a sentence; nothing where they can be used.
+    /// Returns a message about the wrong values, or nullopt if they can be used.
     std::optional<std::string> validate() const;
 
     int joint_count() const { return static_cast<int>(joints.size()); }

@@ -1,4 +1,4 @@
-// How Planner stops a motion.
+// Stops of a motion in Planner.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using rrs::Status;
 
 namespace {
 
-/// What each joint has both for speeding up and for slowing down.
+/// Returns the acceleration that each joint has both for speeding up and for slowing down.
 rrs::JointPos accelerations(const PlannerSetup& setup) {
     rrs::JointPos accelerations(setup.joint_count());
     for (int joint = 0; joint < setup.joint_count(); ++joint)
@@ -52,7 +52,7 @@ Planned Planner::stop() {
     return {};
 }
 
-// What is planned stays in the queue, whole, until it is known where it ends.
+// The plan stays in the queue, complete, until its end is known.
 Put Planner::put_until(const Move& move, const StopSearch& search) {
     if (tracked_)
         return refused(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");

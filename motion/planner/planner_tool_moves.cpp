@@ -1,5 +1,5 @@
-// Moves of Planner in which the joints go curved ways, so that the tool's tip goes a straight or
-// circular one: under tool-centre-point control, and to poses where slides alone do not carry the tip.
+// Moves of Planner with curved joint paths, so that the TCP follows a straight or circular path: under TCP
+// control, and to poses if slides alone do not carry the TCP.
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +24,7 @@ std::ptrdiff_t slide_count(const PlannerSetup& setup) {
                          [](int joint) { return joint >= 0; });
 }
 
-/// An inverse time feed becomes a speed along the whole way.
+/// Converts an inverse time feed into a speed along the full path.
 void set_speed(const ToolPath& path, MoveRules& rules) {
     const double asked_s = std::exchange(rules.least_duration_s, 0);
     if (asked_s <= 0) return;
@@ -35,7 +35,7 @@ void set_speed(const ToolPath& path, MoveRules& rules) {
     }
 }
 
-/// The point that goes the way, in the frame of the tool centre point.
+/// Returns the point that follows the path, in the frame of the tool centre point.
 Eigen::Vector3d tip_of_move(const Move& move) {
     if (move.tip_mm) return *move.tip_mm;
     return move.goal.pose ? Eigen::Vector3d(move.goal.pose->tool.translation()) : Eigen::Vector3d::Zero();
@@ -48,8 +48,8 @@ bool Planner::moves_tool(const Move& move) const {
     return move.tip_mm || (move.goal.pose && tip_turns(setup_, move.goal.pose->tool.translation()));
 }
 
-/// What `via` is to the tip. Where joints are led on the way, the pose says it: the joints from which it
-/// would be reached are known on the way alone.
+/// Returns `via` as a position of the controlled point. It is taken from the pose if joints are `led` on the
+/// path, because the joints that would reach it are known only on the path.
 tl::expected<Eigen::Vector3d, PlanError> Planner::via_point(const Move& move) const {
     if (move.via->pose && holds_joints()) return Eigen::Vector3d(move.via->pose->pose.translation());
     rrs::JointPos via;
@@ -77,8 +77,8 @@ tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::
     return way;
 }
 
-/// Where three slides carry the tip the other joints go in proportion; else, and where the inverse holds
-/// joints, the tool turns evenly.
+/// The other joints move in proportion if three slides carry the controlled point. Otherwise, and if the
+/// inverse holds joints, the tool turns evenly.
 tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::tool_path(const Move& move) const {
     const bool by_pose = move.goal.pose && (slide_count(setup_) < 3 || holds_joints());
     rrs::JointPos end;
@@ -126,7 +126,8 @@ Put Planner::put_tool_move(const Move& move) {
     return {};
 }
 
-/// The planner's model takes them if it knows what a piece is; else one does that comes to rest at the end.
+/// The planner's model takes the sub-segments if it supports them. Otherwise another model takes them, which
+/// stops at the end.
 Planned Planner::add_pieces(const PathMove& whole, const ToolPath& path,
                             const std::vector<PathPiece>& pieces) {
     const bool own = setup_.controller.planner == rrs::PlannerKind::look_ahead;

@@ -6,19 +6,19 @@
 
 namespace gsim::motion {
 
-// What lies beyond a range is RRS_JOINT_LIMIT; or else nothing, where the setup's RangeNotes let it pass and
-// note it.
+// Values beyond a range give RRS_JOINT_LIMIT, or no error if the setup's RangeNotes let them pass and note
+// them.
 
-/// Whether joint values lie in the joints' ranges; 1e-9 mm or rad beyond counts as rounding.
+/// Checks that joint values are in the joint ranges; 1e-9 mm or rad beyond counts as rounding.
 Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints);
 
-/// Whether the position joints stay in their ranges all along an arc.
+/// Checks that the position joints stay in their ranges all along an arc.
 Planned check_arc_ranges(const PlannerSetup& setup, const Arc& arc);
 
-/// Whether the tilting joint stays in its range all along an orientation arc.
+/// Checks that the tilting joint stays in its range all along an orientation arc.
 Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc);
 
-/// Whether all joints stay in their ranges on the way of a segment with a motion beside it.
+/// Checks that all joints stay in their ranges on the path of a segment with a superimposed motion.
 Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment);
 
 }  // namespace gsim::motion

@@ -5,29 +5,29 @@
 
 namespace gsim::motion {
 
-/// A joint is taken past an end of its range (mm or rad).
+/// Motion of a joint past an end of its range (mm or rad).
 struct Excursion {
     int joint = 0;
-    double value = 0;  ///< The farthest that it goes.
+    double value = 0;  ///< Farthest value reached.
     double limit = 0;  ///< The end of its range.
 
     double beyond() const { return value < limit ? limit - value : value - limit; }
 };
 
-/// Whether targets past the ranges of joints are refused, which is the rule, or planned all the same. What is
-/// planned all the same is noted here.
+/// Setting for targets past the joint ranges: they are rejected, which is the rule, or planned all the same.
+/// Targets that are planned all the same are noted here.
 class RangeNotes {
   public:
-    /// From now on such targets are planned, and noted; what was noted before is forgotten.
+    /// Plans and notes such targets from now on; earlier notes are dropped.
     void let_pass() {
         passing_ = true;
         excursions_.clear();
     }
-    /// Such targets are refused again.
+    /// Rejects such targets again.
     void hold() { passing_ = false; }
     bool passing() const { return passing_; }
 
-    /// One entry for each end of a joint's range: the farthest.
+    /// Keeps one entry for each end of a joint's range: the farthest.
     void note(const Excursion& excursion);
     std::span<const Excursion> excursions() const { return excursions_; }
 
@@ -36,10 +36,10 @@ class RangeNotes {
     std::vector<Excursion> excursions_;
 };
 
-/// Lets targets past the ranges of joints pass for as long as it lives.
+/// Guard that lets targets past the joint ranges pass during its lifetime.
 class RangePass {
   public:
-    /// Null: it changes nothing.
+    /// Null has no effect.
     explicit RangePass(RangeNotes* notes) : notes_(notes) {
         if (notes_ != nullptr) notes_->let_pass();
     }

@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kAsPlanned = 1e-12;      // relative
 constexpr double kNoShareOfSpeed = 1e-9;  // of the highest speed
-constexpr double kNoShareOfWay = 1e-9;    // of the whole
+constexpr double kNoShareOfWay = 1e-9;    // of the full path
 
-/// How far the lead and the followers of a segment have come.
+/// Distances that the leading law and the followers of a segment have covered.
 struct Progress {
     double lead = 0;
     std::array<double, rrs::kMaxJoints> followers{};
@@ -63,10 +63,11 @@ struct Laws {
     TimeLaw lead;
     std::array<TimeLaw, rrs::kMaxJoints> followers;
     double duration_s = 0;
-    double end_speed = 0;  ///< Of the lead, also where there is no way left for it.
+    double end_speed = 0;  ///< Speed of the leading law, also if no distance remains for it.
 };
 
-/// The part of the way of orientation between two places of the lead; none where the lead stays.
+/// Returns the part of the orientation path between two positions of the leading law, or null if that does
+/// not move.
 std::shared_ptr<const OrientationArc> orientation_part(const Segment& segment, double from, double to) {
     if (!(to > from)) return nullptr;
     const OrientationArc& way = *segment.orientation;

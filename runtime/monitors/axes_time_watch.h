@@ -11,8 +11,8 @@
 
 namespace gsim::simulation {
 
-/// How long the moves of a run take with the accelerations of the axes, where the peaks of its motors limit
-/// them: they are planned beside.
+/// Duration of the moves of a run with the accelerations of the axes, if the peaks of its motors limit them.
+/// They are planned in a comparison.
 class AxesTimeWatch final : public MotionObserver {
   public:
     explicit AxesTimeWatch(const machine::Machine& machine);
@@ -22,7 +22,7 @@ class AxesTimeWatch final : public MotionObserver {
     void untold(std::string_view why) override;
     void ended() override;
 
-    /// Of a run that has ended; nothing where why_not() tells why.
+    /// Returns the time of a run that has ended; nullopt if why_not() gives a reason.
     std::optional<double> time_s() const;
     const std::string& why_not() const { return why_not_; }
 

@@ -56,7 +56,7 @@ tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) cons
                                                : fmt::format("there are: {}.", text::joined(names, ", "))));
 }
 
-/// Of a frame that a program may move.
+/// Returns a frame that a program may move.
 tl::expected<std::size_t, PlanError> CellWatch::find_movable(std::string_view name) const {
     auto found = find(name);
     if (!found) return found;
@@ -75,7 +75,7 @@ tl::expected<std::size_t, PlanError> CellWatch::find_movable(std::string_view na
     return found;
 }
 
-/// Which of the cell's carried frames this is.
+/// Returns the index of this frame among the cell's carried ones.
 std::optional<std::size_t> CellWatch::carrier_of(std::size_t frame) const {
     const auto found = std::find_if(cell_.carried.begin(), cell_.carried.end(),
                                     [frame](const cell::CarriedFrame& one) { return one.frame == frame; });
@@ -113,7 +113,7 @@ Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, d
     return {};
 }
 
-/// Moves of the frame that segments have not reached yet become jumps.
+/// Turns moves of the frame that segments have not reached yet into jumps.
 Planned CellWatch::carry_frame(std::string_view name) {
     const auto found = find_movable(name);
     if (!found) return tl::unexpected(found.error());
@@ -169,8 +169,8 @@ tl::expected<cell::TouchSearch, std::string> CellWatch::touch_search(const Eigen
     return cell::TouchSearch::make(cell_, machine_, tip_mm);
 }
 
-/// Targets lead the tool centre point in the work frame, so that a frame that moves against one of them by
-/// itself cannot be meant.
+/// Targets lead the tool centre point in the work frame, so a frame that moves independently against one of
+/// them cannot be meant.
 tl::expected<motion::WorkFrames, PlanError> CellWatch::work_frames(std::string_view tool_name,
                                                                    std::string_view object_name) const {
     auto tool = tip_frame(tool_name);
@@ -188,7 +188,7 @@ Planned CellWatch::moves_together(std::size_t frame, std::size_t origin) const {
                     set_frames_.name(frame), set_frames_.name(origin)));
 }
 
-/// A frame seen from the tool centre point of the kinematics.
+/// Returns a frame as seen from the tool centre point of the kinematics.
 tl::expected<rrs::CartPos, PlanError> CellWatch::tip_frame(std::string_view name) const {
     if (name == motion::kToolFrame) return machine_frames_.tool_shift();
     const auto frame = find(name);
@@ -199,7 +199,8 @@ tl::expected<rrs::CartPos, PlanError> CellWatch::tip_frame(std::string_view name
     });
 }
 
-/// A frame seen from the work frame of the kinematics, to which the world moves where the machine does.
+/// Returns a frame as seen from the work frame of the kinematics; the world moves relative to it if the
+/// machine does.
 tl::expected<rrs::CartPos, PlanError> CellWatch::object_frame(std::string_view name) const {
     const auto frame = find(name);
     if (!frame) return tl::unexpected(frame.error());
@@ -212,7 +213,7 @@ tl::expected<rrs::CartPos, PlanError> CellWatch::object_frame(std::string_view n
     });
 }
 
-/// Brings the frames to where they are in motion that begins at a time.
+/// Moves the frames to their poses for motion that begins at a time.
 void CellWatch::move_frames(double until_s) {
     if (frame_moves_.empty() || frame_moves_.front().time_s > until_s) return;
     for (; !frame_moves_.empty() && frame_moves_.front().time_s <= until_s; frame_moves_.pop_front())

@@ -17,20 +17,20 @@
 
 namespace gsim::simulation {
 
-/// What a run takes of a cell.
+/// Use of a cell in a run.
 struct CellUse {
     bool of_file = true;  ///< A cell file describes it; else it is the machine alone, and no probe feels it.
     bool watched = true;  ///< Contacts and near misses are looked for.
 };
 
-/// How a frame of a cell went, or stood, from a time on.
+/// Motion or standstill of a frame of a cell, from a time on.
 struct FrameDrift {
     std::size_t frame;
     cell::Drift drift;
 };
 
-/// The cell of a run: looks at each segment for contacts and near misses of its block, and has the frames
-/// that programs may ask for and move.
+/// Cell of a run: checks each segment for contacts and near misses of its block, and has the frames that
+/// programs may query and move.
 class CellWatch final : public RunOutput, public motion::CellFrames {
   public:
     CellWatch(cell::Cell cell, const machine::Machine& machine, CellUse use = {});
@@ -38,15 +38,15 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     CellWatch& operator=(const CellWatch&) = delete;
 
     const cell::Cell& cell() const { return cell_; }
-    /// When that time is used up segments are looked at no longer. Null: never.
+    /// Ends all checks of segments once that CPU time is used up. Null: never.
     void end_by(os::CpuLimit* cpu) { watch_.end_by(cpu); }
     const CellUse& use() const { return use_; }
     const machine::Machine& machine() const { return machine_; }
-    /// Who is told each segment once it has been looked at, in their order, while the frames of cell() are
-    /// where they are in it.
+    /// Receiver of each segment after its check, in their order, while the frames of cell() are at their
+    /// poses in it.
     using Follower = std::function<void(const motion::Segment& segment, const MoveInfo& info)>;
     void set_follower(Follower follower) { follower_ = std::move(follower); }
-    /// How often frames of cell() have been moved so far.
+    /// Returns how often frames of cell() have been moved so far.
     std::uint64_t frame_changes() const { return frame_changes_; }
     tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name, double time_s) const override;
     motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;
@@ -56,33 +56,36 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
         std::string_view tool_frame, std::string_view object_frame) const override;
     const rrs::CartPos& base_shift() const override { return machine_frames_.base_shift(); }
 
-    /// What a probe feels from a time on at which the machine is at rest, all its motion before having been
-    /// taken; the cell must not change while the search is used. `tip_mm` and the error are those of
-    /// TouchSearch.
+    /// Returns the search for what a probe feels from a time on at which the machine is at standstill, after
+    /// all motion before has been processed. The cell must not change while the search is used. `tip_mm` and
+    /// the error are those of TouchSearch.
     tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tip_mm, double time_s);
 
-    /// From now on what moves frames is kept, for history(), and when blocks come near, for near_s().
+    /// Keeps from now on the motion of frames, for history(), and the times at which blocks come near, for
+    /// near_s().
     void keep_history() {
         keeps_history_ = true;
         watch_.keep_times();
     }
-    /// Of more than these there is no history.
+    /// Max number of entries; beyond it the history is incomplete.
     static constexpr std::size_t kMostDrifts = 100'000;
     bool history_is_whole() const { return history_is_whole_; }
-    /// When each of CellFindings::clearances is, of the run's clock; nothing where it is not known.
+    /// Returns the time of each of CellFindings::clearances, on the run's clock; nullopt if unknown.
     std::span<const std::optional<double>> near_s() const { return near_s_; }
-    /// In the order in which it was told, which is that of time for each frame; from `from_s` of an entry on
-    /// earlier ones of its frame no longer hold.
+    /// Returns entries in the order of their reports, which is that of time for each frame. From `from_s` of
+    /// an entry on earlier ones of its frame no longer hold.
     std::span<const FrameDrift> history() const { return history_; }
 
-    /// Whether there are conveyors, whose motion must be known before a segment can be looked at.
+    /// Returns true if the cell has conveyors: their motion must be known before a segment can be checked.
     bool has_conveyors() const;
-    /// A conveyor runs so from drift.from_s on, no matter where it was. Nothing where the cell does not know
-    /// it.
+    /// Sets the motion of a conveyor from drift.from_s on, wherever it was. It has no effect if the cell does
+    /// not know it.
     void set_conveyor(std::string_view name, const cell::Drift& drift);
-    /// The motion of conveyors is known up to that time (at first, for ever): segments that end later wait.
+    /// Sets the time up to which the motion of conveyors is known (at first, infinite): segments that end
+    /// later wait.
     void know_until(double time_s);
-    /// Up to here what follows the motion (set_follower) has got it; infinite where none waits.
+    /// Returns the time up to which the follower (set_follower) has got all motion; infinite if no segment
+    /// waits.
     double passed_on_s() const {
         return waiting_.empty() ? std::numeric_limits<double>::infinity() : waiting_.front().segment.start_s;
     }
@@ -91,7 +94,7 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// After end().
+    /// Returns the findings, after end().
     CellFindings release() { return std::move(findings_); }
 
   private:
@@ -121,10 +124,10 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     machine::Machine machine_;
     CellUse use_;
     cell::Cell cell_;
-    /// Frames as the program has set them so far, which segments that are still to come may be behind.
+    /// Frames as the program has set them so far; segments that are still to come may precede them.
     cell::FrameTree set_frames_;
-    /// The machine's own as the program has set them. In the trees "tool" is the file's: another tip moves no
-    /// body.
+    /// The machine's own frames as the program has set them. In the trees "tool" is the file's: another tool
+    /// tip moves no body.
     motion::MachineFrames machine_frames_;
     struct FrameMove {
         double time_s;
@@ -143,8 +146,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     std::vector<std::optional<double>> near_s_;
     CellFindings findings_;
     std::optional<Place> block_;
-    std::vector<Place> places_;          ///< Of the watch's contacts,
-    std::vector<rrs::JointPos> joints_;  ///< and where the machine stood.
+    std::vector<Place> places_;          ///< Locations of the contacts,
+    std::vector<rrs::JointPos> joints_;  ///< and the machine's joint values.
 };
 
 }  // namespace gsim::simulation

@@ -15,7 +15,7 @@ namespace {
 constexpr double kCentripetalRounding = 1 + 1e-9;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Round a circle an axis speeds up and slows down alike. LinuxCNC knows one limit for both.
+/// Round a circle an axis speeds up and slows down alike. LinuxCNC has one limit for both.
 double both_ways(const machine::Machine& machine, const machine::Axis& axis) {
     if (machine.controller.planner == rrs::PlannerKind::linuxcnc) return axis.max_acceleration;
     return std::min(axis.max_acceleration, axis.deceleration());
@@ -34,7 +34,7 @@ double weakest_of(const machine::Machine& machine) {
 CentripetalWatch::CentripetalWatch(const machine::Machine& machine)
     : machine_(machine), weakest_mm_s2_(weakest_of(machine)) {}
 
-/// What all axes of the arc's plane can do, whichever way its centre lies.
+/// Returns what all axes of the arc's plane can do, wherever its centre lies.
 double CentripetalWatch::limit_in_plane_mm_s2(const motion::Segment& segment) const {
     double limit = kUnlimited;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -48,7 +48,7 @@ double CentripetalWatch::limit_in_plane_mm_s2(const motion::Segment& segment) co
 
 void CentripetalWatch::take(const motion::Segment& segment, const MoveInfo& info) {
     if (segment.kind != motion::SegmentKind::circular || machine::is_torque_limited(machine_)) return;
-    // No way curves more than its smallest circle: most arcs need no closer look.
+    // No path curves more than its smallest circle: most arcs need no closer check.
     const double speed = segment.lead.peak_speed();
     if (speed * speed <= weakest_mm_s2_ * std::min(segment.arc.radius_mm, segment.arc.end_radius_mm)) return;
     const double asked = segment.peak_centripetal_mm_s2();

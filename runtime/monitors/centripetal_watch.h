@@ -10,9 +10,9 @@
 
 namespace gsim::simulation {
 
-/// Looks for arcs that ask for more centripetal acceleration than the axes in their plane have. Some
-/// controllers limit the acceleration along the path alone, so a real machine would take such an arc slower,
-/// or leave it.
+/// Monitor for arcs that need more centripetal acceleration than the axes in their plane have. Some
+/// controllers limit only the acceleration along the path, so a real machine would run such an arc slower, or
+/// leave it.
 class CentripetalWatch : public RunOutput {
   public:
     /// `machine` must outlive this.
@@ -21,7 +21,8 @@ class CentripetalWatch : public RunOutput {
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
-    /// A sentence for the report, if there was such an arc. `files` are the names that places index.
+    /// Returns a message for the report, if such an arc was found. `files` are the names that source
+    /// locations index.
     std::optional<std::string> warning(const std::vector<std::string>& files) const;
 
   private:

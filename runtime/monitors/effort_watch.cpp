@@ -14,7 +14,7 @@ using dynamics::EffortSums;
 
 namespace {
 
-constexpr double kJump = 1e-6;  // mm/s, rad/s: less is rounding of where two segments meet
+constexpr double kJump = 1e-6;  // mm/s, rad/s: less is rounding at the border of two segments
 constexpr double kOfSpeed = 1e-9;
 constexpr double kWithin = 1e-9;  // a motor that is asked for exactly what it has is within its limit
 
@@ -47,7 +47,7 @@ std::string excess_text(const EffortExcess& excess) {
                                    excess.limit, unit);
     if (!excess.acceleration_share)
         return text + "; weight, friction and speed alone are more, whatever its acceleration";
-    // Rounded down, so that what is told is enough.
+    // Rounded down, so that the reported share is enough.
     return text + fmt::format("; {:.2f} of its acceleration would do",
                               std::floor(*excess.acceleration_share * 100) / 100);
 }
@@ -106,8 +106,8 @@ void EffortWatch::end(double /*end_s*/) {
     end_move();
 }
 
-// The work of an impulse is that at the mean of the speeds before and behind it: of all joints together that
-// is the change of kinetic energy.
+// Computes the work of an impulse at the mean of the speeds before and after it: over all joints that is the
+// change of kinetic energy.
 void EffortWatch::jump(const rrs::JointPos& position, const rrs::JointPos& to, Program& program,
                        const Place& place) {
     const rrs::JointPos change = to - velocity_;
@@ -148,7 +148,7 @@ void EffortWatch::look(const EffortSample& sample, double start_s, const Place& 
     }
 }
 
-// Of a move the instant that asks for the least acceleration is told.
+// Reports the instant of a move that needs the smallest acceleration.
 void EffortWatch::look_at_motor(std::size_t axis, const EffortSample& sample, double start_s) {
     const machine::Axis& of = machine_.axes[axis];
     const auto joint = static_cast<Eigen::Index>(axis);
@@ -168,7 +168,8 @@ void EffortWatch::look_at_motor(std::size_t axis, const EffortSample& sample, do
              .acceleration_share = share < 0 ? std::nullopt : std::optional(share)};
 }
 
-// The efforts are what the state and the speed ask for and, in proportion to it, what the acceleration does.
+// Splits the efforts into what the state and the speed need and, in proportion to it, what the acceleration
+// needs.
 double EffortWatch::acceleration_share(std::size_t axis, const EffortSample& sample, double limit) const {
     const auto joint = static_cast<Eigen::Index>(axis);
     const double moving = dynamics_.inertial(sample.motion.position, sample.motion.acceleration)[joint];

@@ -12,16 +12,15 @@
 
 namespace gsim::simulation {
 
-/// The speed of a joint (mm/s or rad/s) as its axis counts it, either way: mm/s or deg/s.
+/// Returns the speed of a joint (mm/s or rad/s) as its axis counts it, in either direction: mm/s or deg/s.
 double axis_speed(const machine::Axis& axis, double joint_speed);
-/// What the motor of an axis brings up at a speed (mm/s or deg/s), either way.
+/// Returns the max effort of an axis motor at a speed (mm/s or deg/s), in either direction.
 double motor_peak(const machine::Drive& drive, double speed);
 
-/// Works out what the motors of a run have to bring up: of each segment from its closed forms, and where
-/// speeds jump from one to the next, or at a segment's own ends, the impulses. For such a jump no finite
-/// force is enough: it counts as work (the speed of a joint is taken to go evenly from the one to the other,
-/// so that the work of all impulses is the change of kinetic energy) and as an impulse, not as force or
-/// power.
+/// Computes the efforts of a run's motors: for each segment from its closed forms, and the impulses at jumps
+/// of speed between segments, or at a segment's own ends. No finite force is enough for such a jump. So it
+/// counts as work and as an impulse, not as force or power. The speed of a joint is assumed to change evenly,
+/// so that the work of all impulses is the change of kinetic energy.
 class EffortWatch : public RunOutput {
   public:
     /// Both must outlive this.
@@ -32,7 +31,7 @@ class EffortWatch : public RunOutput {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// Behind the end of the run. `programs` are the names that MoveInfo::program counts.
+    /// Returns the report, after the end of the run. `programs` are the names that MoveInfo::program counts.
     EffortReport report(const std::vector<std::string>& programs) const;
 
   private:
@@ -60,8 +59,8 @@ class EffortWatch : public RunOutput {
     std::vector<Program> programs_;
     rrs::JointPos at_;
     rrs::JointPos velocity_;           // at the end of the last segment
-    MoveInfo move_;                    // whose segments arrive
-    std::vector<EffortExcess> worst_;  // of that move by axis; a limit of 0 stands for none
+    MoveInfo move_;                    // with segments that are arriving
+    std::vector<EffortExcess> worst_;  // of that move by axis; a limit of 0 means none
     double end_s_ = 0;
     double time_s_ = 0;  // of all segments
 };

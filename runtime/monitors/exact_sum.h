@@ -4,7 +4,7 @@
 
 namespace gsim::simulation {
 
-/// A sum whose rounding errors do not grow with the number of terms (Neumaier).
+/// Sum with rounding errors that do not grow with the number of terms (Neumaier).
 class ExactSum {
   public:
     void add(double term) {

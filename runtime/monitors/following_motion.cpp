@@ -10,7 +10,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kTimeConstants = 20;  // exp(-20) is 2e-9
-constexpr double kSlopeStep_s = 1e-5;  // over which the speed of the tip is taken
+constexpr double kSlopeStep_s = 1e-5;  // over which the speed of the TCP is taken
 
 std::vector<bool> turning_joints(const machine::Machine& machine) {
     std::vector<bool> turns;
@@ -102,7 +102,7 @@ void FollowingMotion::change_tip(std::uint16_t tip) {
     way_.begin(tip_.at(at));
 }
 
-/// The slope is exact, but for rounding, where the tip goes straight with the joints.
+/// Returns an end with an exact slope, except for rounding, if the TCP moves straight with the joints.
 SetPointWay::End FollowingMotion::end_of(const motion::JointState& state, double duration_s) const {
     const rrs::JointPos ahead = kSlopeStep_s * state.velocity;
     const Eigen::Vector3d change = tip_.at(state.position + ahead) - tip_.at(state.position - ahead);
@@ -141,7 +141,7 @@ bool FollowingMotion::in_bands(const rrs::JointPos& errors) const {
     return true;
 }
 
-/// A controller that tells no ways drives them as they are programmed.
+/// Handles a controller that reports no paths: it drives them as programmed.
 std::optional<double> FollowingMotion::program_distance_mm(const FollowingInstant& instant) {
     if (program_settling_) return std::nullopt;
     return program_->is_told() ? program_->distance_mm(instant.tip_mm) : instant.contour_mm;

@@ -8,11 +8,11 @@
 
 namespace gsim::simulation {
 
-/// What following errors are worked out from. All of it outlives whoever has it.
+/// Inputs for the computation of following errors. All of it outlives its user.
 struct FollowingSetup {
     const machine::Machine& machine;
     const motion::PlannerSetup& planner;
-    const std::vector<Eigen::Vector3d>& tips_mm;  ///< That MoveInfo::tip counts.
+    const std::vector<Eigen::Vector3d>& tips_mm;  ///< Indexed by MoveInfo::tip.
 };
 
 }  // namespace gsim::simulation

@@ -31,7 +31,7 @@ void FollowingWatch::begin(const rrs::JointPos& start) {
 
 void FollowingWatch::take(const motion::Segment& segment, const MoveInfo& info) {
     const auto look = [this](double from_s, double to_s) { this->look(from_s, to_s); };
-    motion_.enter(segment, info, look);  // a rest in front of it is the move's before
+    motion_.enter(segment, info, look);  // a dwell in front of it is the move's before
     const bool between_moves = segment.kind == motion::SegmentKind::rest && info.place.line == 0;
     if (!between_moves && info.target_id != move_.target_id) {
         if ((info.kind == MoveKind::rapid) != (move_.kind == MoveKind::rapid)) {
@@ -46,7 +46,7 @@ void FollowingWatch::take(const motion::Segment& segment, const MoveInfo& info) 
     motion_.leave(look);
 }
 
-/// A peak may be found a little late.
+/// Handles that a peak may be found a little late.
 const Place& FollowingWatch::place_at(double t_s) const {
     return t_s <= move_s_ && before_.line > 0 ? before_ : move_.place;
 }
@@ -55,7 +55,7 @@ double FollowingWatch::error_of(std::size_t axis, double joint_error) const {
     return report_.axes[axis].rotary ? joint_error / kRadPerDeg : joint_error;
 }
 
-// The square of an error by Simpson's rule: over a step it is smooth.
+// Integrates the square of an error by Simpson's rule: over a step it is smooth.
 void FollowingWatch::look(double from_s, double to_s) {
     const rrs::JointPos from = motion_.errors(from_s);
     const rrs::JointPos middle = motion_.errors((from_s + to_s) / 2);
@@ -118,7 +118,7 @@ void FollowingWatch::end(double end_s) {
         report_.in_position_s = settled;
 }
 
-/// When the axes are in their bands for good, as far as they are followed: behind the end, s.
+/// Returns when the axes are in their bands to stay, as far as they are followed: s after the end.
 double FollowingWatch::settled_s(double end_s) {
     constexpr int kHalvings = 40;
     double settled_s = end_s;

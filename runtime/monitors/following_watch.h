@@ -10,12 +10,12 @@
 
 namespace gsim::simulation {
 
-/// Works out where axes and tip of a run really are.
+/// Computes the real positions of axes and TCP in a run.
 class FollowingWatch : public RunOutput {
   public:
     explicit FollowingWatch(const FollowingSetup& setup, double step_s = dynamics::ServoMotion::kStep_s);
 
-    /// Is to be told the ways that the program asks for.
+    /// Returns the receiver of the programmed paths.
     motion::WaySink& ways() { return program_; }
 
     using RunOutput::take;
@@ -23,7 +23,7 @@ class FollowingWatch : public RunOutput {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// Behind the end of the run.
+    /// Returns the report, after the end of the run.
     const FollowingReport& report() const { return report_; }
 
   private:
@@ -42,9 +42,9 @@ class FollowingWatch : public RunOutput {
     std::vector<PeakFinder> axes_;
     PeakFinder feed_, rapid_, of_program_;
     std::vector<ExactSum> squares_;  // by axis, over time
-    MoveInfo move_;                  // that is under way,
+    MoveInfo move_;                  // in progress,
     double move_s_ = 0;              // since when,
-    Place before_;                   // and where the one before stands
+    Place before_;                   // and the location of the one before
 };
 
 }  // namespace gsim::simulation

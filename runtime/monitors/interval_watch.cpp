@@ -16,7 +16,7 @@ namespace {
 constexpr double kStep = 0.01;           // of a figure
 constexpr double kPercent95 = 1.959964;  // standard deviations on each side of 95 in 100
 
-/// Down, as shares are 1 at most; up where less than 1 would mean another thing.
+/// Lowers the value, because shares are at most 1; raises it if less than 1 would have another meaning.
 double value_beside(const machine::Figure& figure, double value) {
     const bool would_turn = figure.key == "centripetal_share" && value >= 1 && value * (1 - kStep) < 1;
     return value * (would_turn ? 1 + kStep : 1 - kStep);

@@ -12,9 +12,9 @@
 
 namespace gsim::simulation {
 
-/// How sure the time of a run is on a machine whose figures were fitted to recorded runs: the same moves are
-/// planned beside, once for each figure with a value that is 1 % off, and the covariance of the figures
-/// becomes a spread of the time (first order, of logarithms: Gaussian propagation).
+/// Confidence of the time of a run on a machine with parameters that were fitted to recorded runs. The same
+/// moves are planned in a comparison, once for each parameter with a value that is 1 % off. The covariance of
+/// the parameters becomes a spread of the time (first order, of logarithms: Gaussian propagation).
 class IntervalWatch final : public MotionObserver {
   public:
     /// `machine` has a calibration.
@@ -25,17 +25,17 @@ class IntervalWatch final : public MotionObserver {
     void untold(std::string_view why) override;
     void ended() override;
 
-    /// Of the whole time of a run that has ended, with what the fit has left of the recorded times. Nothing
-    /// where why_not() tells why.
+    /// Returns the interval of the full time of a run that has ended, including what the fit has left of the
+    /// recorded times. Nullopt if why_not() gives a reason.
     std::optional<TimeInterval> interval(double time_s) const;
     const std::string& why_not() const { return why_not_; }
 
   private:
-    /// The machine with one figure that is off.
+    /// Machine with one parameter that is off.
     struct Beside {
         std::unique_ptr<motion::Planner> planner;
         machine::WordTimes times;
-        double log_step = 0;  ///< Of the figure's logarithm.
+        double log_step = 0;  ///< Step of the parameter's logarithm.
     };
 
     double log_variance(double time_s) const;

@@ -32,7 +32,7 @@ PartTip::PartTip(const motion::PlannerSetup& setup, const Vector3d& tip_mm)
     keeps_distances_ = (axes.transpose() * axes).isIdentity(kNoSlope) && moved_by_position_alone(setup);
 }
 
-/// Whether the joints beside X, Y and Z leave the tip where it is.
+/// Returns true if the joints other than X, Y and Z leave the TCP at its position.
 bool PartTip::moved_by_position_alone(const motion::PlannerSetup& setup) const {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (setup.role(joint) != motion::JointRole::position && !slopes_.col(joint).isZero(kNoSlope))

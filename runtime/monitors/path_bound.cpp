@@ -33,7 +33,7 @@ motion::JointLimits limits_of(const machine::Machine& machine) {
     return limits;
 }
 
-/// How far each joint goes that goes in proportion to the path.
+/// Returns the travel of each joint that moves in proportion to the path.
 JointPos changes_of(const Segment& segment) {
     JointPos changes = segment.end - segment.start;
     for (double& change : changes) {
@@ -69,8 +69,7 @@ void lower_by_joints(const motion::JointLimits& limits, const JointPos& q1, Path
     }
 }
 
-/// What is true at any place of any curve: the tangent is as long as 1, so that the joints together are no
-/// slower.
+/// Uses a fact of all points of any curve: the tangent has length 1, so the joints together are no slower.
 void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, PathCaps& caps) {
     double speed2 = 0;
     double acceleration2 = 0;
@@ -85,7 +84,7 @@ void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, P
     lower(caps.max_deceleration, std::sqrt(acceleration2));
 }
 
-/// Caps that the motion keeps: an override can raise the feed, and some controllers pass limits.
+/// Returns caps that the motion keeps: an override can raise the feed, and some controllers exceed limits.
 PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double length) {
     const double scale = length / law.length();
     const double acceleration =
@@ -94,7 +93,7 @@ PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double leng
             std::max(caps.max_deceleration, acceleration)};
 }
 
-/// The joints on an arc: those of the position along its shape, the others in proportion.
+/// Returns the joints on an arc: those of the position along its shape, the others in proportion.
 motion::Curve curve_of(const Segment& segment, double length, const JointPos& q1) {
     const auto in_plane = [&](Eigen::Index axis) {
         return std::hypot(segment.arc.u[axis], segment.arc.v[axis]);
@@ -173,7 +172,7 @@ PathBound::Way PathBound::way_of(const Segment& segment) const {
             changes / segment.lead.length()};
 }
 
-/// What the program and the machine's limits of the path set, whatever the joints could do.
+/// Returns the caps that the program and the machine's path limits set, whatever the joints could do.
 PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const Way& way) const {
     const bool queued_by_a_client = !info.timed && !(info.feed_per_min > 0) && info.kind != MoveKind::rapid;
     if (way.measure == Measure::own || queued_by_a_client) return {};
@@ -210,8 +209,8 @@ void PathBound::add_arc(const Segment& segment, const Way& way, const PathCaps& 
     add_line(way, anywhere, segment.lead);
 }
 
-/// Whether no joint can have got more speed or acceleration than it has: peak speed and peak acceleration are
-/// taken to meet, where the joint's share of the way is greatest.
+/// Returns true if no joint can have got more speed or acceleration than it has. Peak speed and peak
+/// acceleration are assumed to meet at the largest share of the joint in the path.
 bool PathBound::keeps_limits(const Segment& segment, const Way& way) const {
     if (segment.lead.jumps()) return false;
     const double speed = segment.lead.peak_speed();

@@ -9,12 +9,12 @@
 
 namespace gsim::simulation {
 
-/// The least time that any controller could take over the path of a run, within the feeds of the program and
-/// the limits of the machine (motion::TimeBound), and its dwells. It is not above the cycle time, whatever
+/// Min time that any controller could take over the path of a run, within the feeds of the program and the
+/// limits of the machine (motion::TimeBound), and its dwells. It is not above the cycle time, whatever
 /// controller made the motion:
 /// - a limit that the motion did not keep counts as what it took;
 /// - an arc on which a joint got more acceleration than it has is bounded by its length, not by its shape;
-/// - joints that do not go in proportion to the path, and two motions at once, do not count.
+/// - joints that do not move in proportion to the path, and two motions at once, do not count.
 class PathBound : public RunOutput {
   public:
     /// `machine` must outlive this.
@@ -23,23 +23,23 @@ class PathBound : public RunOutput {
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
-    /// For the segments so far, as if the run ended here.
+    /// Returns the bound for the segments so far, as if the run ended here.
     double bound_s() const { return bound_.bound_s() + dwells_.value(); }
 
   private:
-    /// What the length of a path is counted by.
+    /// Unit in which the length of a path is counted.
     enum class Measure {
-        position,   ///< mm of the tool's way.
+        position,   ///< mm of the tool's path.
         secondary,  ///< mm of other linear joints.
         rotary,     ///< rad, the norm of the angles.
         direction,  ///< rad of the tool's direction along great circles.
-        own,        ///< Of joint motion: by a measure that no other move shares.
+        own,        ///< For joint motion: a measure that no other move shares.
     };
-    /// The path of a segment that goes one way.
+    /// Path of a segment, run in one direction.
     struct Way {
         Measure measure;
         double length;
-        rrs::JointPos q1;  ///< Of the joints that go in proportion to it.
+        rrs::JointPos q1;  ///< For the joints that move in proportion to it.
     };
 
     Way way_of(const motion::Segment& segment) const;
@@ -55,7 +55,7 @@ class PathBound : public RunOutput {
     motion::TimeBound bound_;
     ExactSum dwells_;
     bool at_rest_ = true;
-    std::optional<Measure> measure_;  // of the segment before; none: its speed has no one measure
+    std::optional<Measure> measure_;  // of the segment before; nullopt: its speed has no one measure
 };
 
 }  // namespace gsim::simulation

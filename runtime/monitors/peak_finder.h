@@ -4,12 +4,12 @@
 
 namespace gsim::simulation {
 
-/// Finds the greatest value of a function of time of which samples arrive in their order. Where a sample is
-/// no less than its neighbours and what lies between may be more than the greatest so far, the place in
-/// between is looked for by golden section, which finds a maximum with a corner as well as a smooth one.
+/// Search for the largest value of a function of time from samples in their order. If a sample is no less
+/// than its neighbours and a larger value may lie in between, the range is searched by golden section. This
+/// finds a maximum with a corner as well as a smooth one.
 class PeakFinder {
   public:
-    /// `value_of(t_s)` is asked between the last three samples alone. True: there is a new greatest value.
+    /// Calls `value_of(t_s)` only between the last three samples. Returns true for a new largest value.
     template <typename Function>
     bool add(double t_s, double value, const Function& value_of) {
         const bool grew = note(t_s, value);
@@ -24,16 +24,16 @@ class PeakFinder {
         if (count_ < 2) ++count_;
         return grew || found;
     }
-    /// Samples are missing here: nothing is looked for between those before and behind.
+    /// Marks missing samples: the search skips the range between those before and after.
     void pause() { count_ = 0; }
     bool is_paused() const { return count_ == 0; }
     double greatest() const { return greatest_; }
     double greatest_s() const { return greatest_s_; }
 
   private:
-    /// What is greater by less is not looked for: on a circle all samples are peaks, by rounding.
+    /// Min relative gain of a search: on a circle all samples are peaks, by rounding.
     static constexpr double kWorth = 1e-7;
-    /// Of equal peaks, but for rounding, the first one counts.
+    /// Tolerance for equal peaks, by rounding: the first one counts.
     static constexpr double kTie = 1e-10;
 
     bool note(double t_s, double value) {

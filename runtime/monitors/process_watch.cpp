@@ -12,7 +12,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-constexpr double kHeightStepsPerMm = 1000;  // heights are told apart by whole micrometres
+constexpr double kHeightStepsPerMm = 1000;  // heights are distinguished by full micrometres
 constexpr double kNoWay_mm = 1e-6;
 constexpr double kUpright = 1 - 1e-9;  // of a normal: arcs in the XY plane
 constexpr std::size_t kMostPlanes = 10'000;
@@ -104,7 +104,7 @@ bool ProcessWatch::goes_in_xy(const RecordedMove& move) const {
     return moves(x_axis_) || moves(y_axis_) || (move.arc && std::abs(move.info.normal.z()) > kUpright);
 }
 
-/// The height of a move in X and Y along which that of the machine's Z stays.
+/// Returns the height of a move in X and Y, if the machine's Z stays during it.
 std::optional<std::int64_t> ProcessWatch::level_um(const RecordedMove& move) const {
     if (!goes_in_xy(move)) return std::nullopt;
     if (!z_axis_) return 0;
@@ -114,8 +114,8 @@ std::optional<std::int64_t> ProcessWatch::level_um(const RecordedMove& move) con
     return std::llround(height_mm * kHeightStepsPerMm);
 }
 
-// A feed with the process off is a fault at a height at which the program cuts, and no fault above it. Which
-// heights these are is known when the program has ended: until then the feeds wait.
+// Checks a feed with the process off: it is an error at a height at which the program cuts, and no error
+// above it. These heights are known when the program has ended; until then the feeds wait.
 void ProcessWatch::look_at_level(const RecordedMove& move) {
     if (!checks().feed_with_process_off) return;
     const std::optional<std::int64_t> level =

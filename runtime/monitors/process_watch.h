@@ -13,14 +13,15 @@
 
 namespace gsim::simulation {
 
-/// Looks for what a program should not do with the machine's process (docs/report.md), in bounded memory.
-/// Moves with the same fault one behind the other are one finding.
+/// Monitor for actions that a program should not do with the machine's process (docs/report.md), in bounded
+/// memory. Consecutive moves with the same error are one finding.
 class ProcessWatch final : public RunOutput {
   public:
-    /// Where the machine file tells no process nothing is looked for. `machine` must outlive this.
+    /// Starts the monitor; it finds no errors if the machine file defines no process. `machine` must outlive
+    /// this.
     explicit ProcessWatch(const machine::Machine& machine);
 
-    /// A program ends with the process on, before the move with this target id.
+    /// Reports that a program ends with the process on, before the move with this target id.
     void end_program(rrs::TargetId next, const Place& place);
 
     using RunOutput::take;
@@ -28,13 +29,13 @@ class ProcessWatch final : public RunOutput {
     void take(const RecordedMove& move) override;
     void end(double end_s) override;
 
-    /// All findings by time. Call it once, behind the end of the run.
+    /// Returns all findings by time. Call it once, after the end of the run.
     ProcessFindings release();
 
   private:
     enum class Fault : std::uint8_t { none, rapid, feed };
-    /// Feed moves at one height without the process. They are a way to the next cut if the process is
-    /// switched on where they end; else a fault if the program cuts at that height, which is known at the
+    /// Feed moves at one height without the process. They lead to the next cut if the process is switched on
+    /// at their end. Otherwise they are an error if the program cuts at that height, which is known at the
     /// end.
     struct IdleFeed {
         std::int64_t level_um = 0;
@@ -61,8 +62,8 @@ class ProcessWatch final : public RunOutput {
     std::optional<std::size_t> x_axis_, y_axis_, z_axis_;
     std::string process_;  ///< "jet"
     rrs::JointPos last_end_;
-    Fault fault_ = Fault::none;          ///< Of the move before.
-    std::optional<IdleFeed> idle_feed_;  ///< That goes on.
+    Fault fault_ = Fault::none;          ///< Error of the previous move.
+    std::optional<IdleFeed> idle_feed_;  ///< Not ended yet.
     std::set<std::int64_t> cut_um_;      ///< Heights of cutting planes.
     std::vector<IdleFeed> idle_feeds_;
     std::deque<ProgramEnd> ends_;

@@ -16,7 +16,7 @@ constexpr double kPiece_rad = 0.05;
 constexpr double kMostPieces = 2000;  // 16 turns: each of them comes near every point
 constexpr double kSlopeShare = 1e-6;  // over which a slope is taken
 
-/// The joints of a programmed move at a share of its way.
+/// Returns the joints of a programmed move at a share of its path.
 rrs::JointPos joints_at(const motion::PathMove& move, const std::array<int, 3>& position_joints,
                         double share) {
     rrs::JointPos joints = move.start + share * (move.end - move.start);
@@ -36,7 +36,7 @@ bool is_round(const motion::PathMove& move) {
     return move.kind == motion::SegmentKind::circular || move.orientation;
 }
 
-/// In how many pieces a way is taken that is not straight.
+/// Returns the number of parts for a path that is not straight.
 double pieces_of(const motion::PathMove& move, const PartTip& tip) {
     const double round_rad = is_round(move) ? std::max(1.0, move.arc.sweep_rad) : 0;
     return std::max(2.0, std::ceil((tip.turned_rad(move.start, move.end) + round_rad) / kPiece_rad));
@@ -73,7 +73,7 @@ bool ProgramWay::drive(rrs::TargetId id, double start_s, const PartTip& tip) {
         lose();
         return false;
     }
-    // A corner is rounded on both sides of it.
+    // A corner is rounded on both of its sides.
     if (!told_.empty() && pieces_of(told_.front(), tip) <= kMostPieces &&
         !std::exchange(first_added_, true)) {
         add(told_.front(), tip);

@@ -10,28 +10,28 @@
 
 namespace gsim::simulation {
 
-/// The way of the tip on the part that the program asks for, about the moves under way: before a controller
-/// rounds its corners or leaves points of it out.
+/// Programmed path of the TCP on the part, about the current moves: before a controller rounds its corners or
+/// omits points of it.
 class ProgramWay : public motion::WaySink {
   public:
-    /// `position_joints` carry X, Y and Z of arcs (-1: none).
+    /// Sets `position_joints`, which carry X, Y and Z of arcs (-1: none).
     explicit ProgramWay(const std::array<int, 3>& position_joints) : position_joints_(position_joints) {}
 
     void programmed(const motion::PathMove& move) override;
     void take_back() override { told_.pop_back(); }
     void forget() override;
 
-    /// Whether the controller is one whose ways are told: all others drive them as they are programmed.
+    /// Returns true if the controller reports its paths: all others drive them as programmed.
     bool is_told() const { return is_told_; }
-    /// A segment of this move begins, at this time, with a tool whose tip is told. False: nobody has told its
-    /// way, or it turns round and round, and what follows begins anew.
+    /// Begins a segment of this move, at this time, with a tool at the TCP `tip`. Returns false if its path
+    /// was not reported, or turns round and round; what follows then begins again.
     bool drive(rrs::TargetId id, double start_s, const PartTip& tip);
-    /// What was driven before is forgotten.
+    /// Forgets what was driven before.
     void forget_before(double t_s);
-    /// Forgets all that is behind: what follows begins anew.
+    /// Forgets the complete past: what follows begins again.
     void lose();
-    /// How far a point is from the way up to the end of the move behind the one that is driven; none where no
-    /// way is known.
+    /// Returns the distance of a point from the path, up to the end of the move after the driven one; nullopt
+    /// if no path is known.
     std::optional<double> distance_mm(const Eigen::Vector3d& point_mm);
 
   private:
@@ -44,8 +44,8 @@ class ProgramWay : public motion::WaySink {
 
     std::array<int, 3> position_joints_;
     std::deque<motion::PathMove> told_;  // that are not driven yet
-    bool first_added_ = false;           // the first of them is part of the way
-    std::deque<Driven> driven_;          // the last moves; none: no way is known
+    bool first_added_ = false;           // the first of them is part of the path
+    std::deque<Driven> driven_;          // the last moves; empty: no path is known
     bool is_told_ = false;
     bool begun_ = false;
     SetPointWay way_;  // its times are ids of moves

@@ -18,8 +18,8 @@ constexpr double kStep_rad = 0.1;  // from point to point of a curve
 constexpr double kMostSteps = 20'000;
 constexpr int kThirds = 24;
 
-/// Where a function of one variable is least between two values, if it falls and then rises there: the least
-/// value, by thirds that are left out.
+/// Returns the smallest value of a function of one variable between two values, if it falls and then rises
+/// there. The search drops thirds of the range.
 template <typename Function>
 double least_between(double from, double to, int steps, const Function& function) {
     constexpr double kGolden = 0.6180339887498949;

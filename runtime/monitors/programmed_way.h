@@ -12,10 +12,10 @@
 
 namespace gsim::simulation {
 
-/// The way of the tip on the part that the program asks for in one move: all axes in proportion.
+/// Programmed path of the TCP on the part in one move: all axes in proportion.
 class ProgrammedWay {
   public:
-    /// `position_joints` carry X, Y and Z of an arc (-1: none).
+    /// Sets `position_joints`, which carry X, Y and Z of an arc (-1: none).
     ProgrammedWay(const motion::PathMove& move, const std::array<int, 3>& position_joints,
                   std::shared_ptr<PartTip> tip, const Place& place);
 
@@ -26,10 +26,11 @@ class ProgrammedWay {
     const Eigen::Vector3d& start() const { return ends_.front(); }
     const Eigen::Vector3d& end() const { return ends_.back(); }
 
-    /// Points of the way in their order, the first at its start and the last at its end: two of a straight
-    /// one.
+    /// Returns points of the path in their order, the first at its start and the last at its end: two for a
+    /// straight one.
     std::span<const Eigen::Vector3d> points();
-    /// How far a point is from the way, mm; where that is no more than `enough`, any value up to it.
+    /// Returns the distance of a point from the path, mm; if that is no more than `enough`, any value up to
+    /// it.
     double distance(const Eigen::Vector3d& point, double enough);
 
   private:
@@ -46,16 +47,17 @@ class ProgrammedWay {
     Place place_;
     std::shared_ptr<PartTip> tip_;
     std::array<Eigen::Vector3d, 2> ends_;
-    std::unique_ptr<Curve> curve_;  ///< Null: the way is straight.
+    std::unique_ptr<Curve> curve_;  ///< Null: the path is straight.
 };
 
-/// How far a point is from the line between two others, mm.
+/// Returns the distance of a point from the line between two others, mm.
 double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& start,
                         const Eigen::Vector3d& end);
-/// How far a point is from the chords of a curve through these points next to the nearest of them, mm.
+/// Returns the distance of a point from the chords of a curve through these points next to the nearest of
+/// them, mm.
 double distance_to_chords(const Eigen::Vector3d& point, std::span<const Eigen::Vector3d> curve);
-/// How far a point is from a smooth curve through these points of it, at even steps of some parameter, mm:
-/// between three of them the curve is taken for a parabola.
+/// Returns the distance of a point from a smooth curve through these points of it, at even steps of some
+/// parameter, mm. Between three of them the curve is taken for a parabola.
 double distance_to_curve(const Eigen::Vector3d& point, std::span<const Eigen::Vector3d> curve);
 
 }  // namespace gsim::simulation

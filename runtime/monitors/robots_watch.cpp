@@ -13,7 +13,7 @@ namespace {
 // Some 1 kB each.
 constexpr std::size_t kMostAhead = 16'384;
 
-/// A zone as a machine without joints.
+/// Returns a zone as a machine without joints.
 std::shared_ptr<const cell::MachineBodies> bodies_of_zone(const cell::Shape& shape) {
     auto stands =
         std::make_shared<const kinematics::ChainKinematics>(kinematics::Chain(kinematics::Branch{}));
@@ -73,7 +73,7 @@ std::shared_ptr<const cell::MachineBodies> RobotsWatch::bodies_of(const Track& t
         cell::machine_bodies(track.simulator->cell()->cell(), track.kinematics));
 }
 
-// --- What is told ---
+// --- Input ---
 
 void RobotsWatch::stand(Track& track, const rrs::JointPos& joints, double from_s) {
     motion::Segment& rest = track.standing.segment;
@@ -85,7 +85,7 @@ void RobotsWatch::take(Track& track, const motion::Segment& segment, const MoveI
     const std::uint64_t changes = track.simulator->cell()->frame_changes();
     if (std::exchange(track.frame_changes, changes) != changes) track.standing.bodies = bodies_of(track);
     track.moved = true;
-    // What the controller adds by itself, to settle, is of the block before.
+    // Motion that the controller adds by itself, to settle, belongs to the block before.
     if (info.place.line > 0) track.standing.place = info.place;
     track.standing.jet_on = info.jet_on;
     stand(track, segment.end_position(), segment.end_s());
@@ -125,15 +125,15 @@ void RobotsWatch::drop_passed() {
     }
 }
 
-// --- Looking ---
+// --- Checks ---
 
-/// By its number; behind the last one the robot stands.
+/// Returns a part by its number; after the last one the robot is at standstill.
 const RobotsWatch::Piece& RobotsWatch::piece(const Track& track, std::size_t number) {
     const std::size_t index = number - track.first;
     return index < track.pieces.size() ? track.pieces[index] : track.standing;
 }
 
-/// Of those that are kept.
+/// Searches only parts that are kept.
 const RobotsWatch::Piece& RobotsWatch::piece_at(const Track& track, double time_s) {
     const auto found =
         std::partition_point(track.pieces.begin(), track.pieces.end(),
@@ -141,7 +141,7 @@ const RobotsWatch::Piece& RobotsWatch::piece_at(const Track& track, double time_
     return found == track.pieces.end() ? track.standing : *found;
 }
 
-/// As far as the motion of both is known.
+/// Advances as far as the motion of both is known.
 void RobotsWatch::go_on(Pair& pair, double known_s) {
     for (;;) {
         double until_s = end_of_turn_s(pair, known_s);
@@ -168,7 +168,7 @@ void RobotsWatch::go_on(Pair& pair, double known_s) {
     }
 }
 
-/// Until when the zone of a pair is as it is now, as far as that is known; of two robots for ever.
+/// Returns until when the zone of a pair is as it is now, as far as that is known; infinite for two robots.
 double RobotsWatch::end_of_turn_s(Pair& pair, double known_s) const {
     if (!pair.zone) return std::numeric_limits<double>::infinity();
     const std::vector<Turn>& turns = zones_[*pair.zone].turns;
@@ -186,14 +186,14 @@ std::vector<RobotsWatch::Owner>::const_iterator RobotsWatch::owner_behind(const 
                                 [time_s](const Owner& owner) { return owner.from_s <= time_s; });
 }
 
-/// The process that has a robot, or had it last.
+/// Returns the process that has a robot, or had it last.
 std::optional<std::size_t> RobotsWatch::owner_at(const Track& track, double time_s) {
     const auto next = owner_behind(track, time_s);
     if (next == track.owners.begin()) return std::nullopt;
     return std::prev(next)->process;
 }
 
-/// The first of a process.
+/// Returns the first robot of a process.
 std::optional<std::size_t> RobotsWatch::robot_of(const Holder& holder, double time_s) const {
     for (std::size_t robot = 0; robot < robots_; ++robot) {
         if (owner_at(tracks_[robot], time_s) == holder.process) return robot;
@@ -201,7 +201,7 @@ std::optional<std::size_t> RobotsWatch::robot_of(const Holder& holder, double ti
     return std::nullopt;
 }
 
-/// Whether the robot of a pair may be in its zone.
+/// Returns true if the robot of a pair may be in its zone.
 bool RobotsWatch::is_let_in(const Pair& pair) const {
     if (!pair.zone) return false;
     const std::optional<Holder>& holder = zones_[*pair.zone].turns[pair.turn].holder;
@@ -209,7 +209,7 @@ bool RobotsWatch::is_let_in(const Pair& pair) const {
     return !holder || !owner || *owner == holder->process;
 }
 
-/// What was not looked at before touches anew.
+/// Bodies that were not checked before count as a new contact.
 void RobotsWatch::look(Pair& pair, const std::array<const Piece*, 2>& pieces, double until_s) {
     if (std::array now{pieces[0]->bodies, pieces[1]->bodies}; now != pair.bodies) {
         pair.watch.set_bodies(now[0], now[1]);

@@ -16,106 +16,107 @@
 
 namespace gsim::simulation {
 
-/// A robot of a run, and where its world is in that of all.
+/// Robot of a run, and the pose of its world in the common one.
 struct PlacedRobot {
     std::string name;
     Simulator& simulator;
     rrs::CartPos base;
 };
 
-/// A zone in which one robot may be at a time, in the world of all.
+/// Zone in which one robot may be at a time, in the common world.
 struct PlacedZone {
     std::string name;
     cell::Shape shape;
     rrs::CartPos frame;
 };
 
-/// Looks at the robots of a run against each other, while they move: their bodies, and what they carry.
-/// Robots of the same base have no places of their own, and are not looked at against each other. And finds
-/// robots in zones that another process has.
+/// Monitor of the robots of a run against each other, while they move: their bodies, and what they carry.
+/// Robots of the same base have no positions of their own, and are not checked against each other. It also
+/// finds robots in zones that another process has.
 ///
-/// Robots run ahead of each other. What one does waits here until it is known what the others do meanwhile.
+/// Robots run ahead of each other. The motion of one waits here until it is known what the others do
+/// meanwhile.
 class RobotsWatch {
   public:
-    /// Before the first move. The robots' simulators have their cells, and outlive this.
+    /// Call it before the first move. The robots' simulators have their cells, and outlive this.
     RobotsWatch(const std::vector<PlacedRobot>& robots, const std::vector<PlacedZone>& zones,
                 os::CpuLimit* cpu);
     RobotsWatch(const RobotsWatch&) = delete;
     RobotsWatch& operator=(const RobotsWatch&) = delete;
 
-    /// Whether there is something to be looked at.
+    /// Returns true if the monitor has something to check.
     bool has_pairs() const { return !pairs_.empty(); }
-    /// A robot that has not been told to move up to that time stands still until then, but for what its
-    /// planner, or the wait for conveyors, has not passed on; and zones that nobody was given are as they
-    /// were.
+    /// Sets the time up to which all is known. A robot without a move up to that time is at standstill until
+    /// then. An exception is motion that its planner, or the wait for conveyors, has not passed on. Zones
+    /// that were not given are as they were.
     void know_until(double time_s);
-    /// Is called when a robot runs so far ahead that the others should be let go on, for the sake of memory.
+    /// Sets a callback for a robot that runs so far ahead that the others should continue, to save memory.
     void on_far_ahead(std::function<void()> call) { far_ahead_ = std::move(call); }
 
-    /// A process, by its number and its name.
+    /// Process, by its number and its name.
     struct Holder {
         std::size_t process;
         std::string name;
     };
-    /// That one has the zone from a time on up to which not all is known yet; none: nobody has it.
+    /// Gives that process the zone from a time on up to which not all is known yet; nullopt: the zone is
+    /// free.
     void give_zone(std::size_t zone, double time_s, std::optional<Holder> holder);
-    /// That process has the robot from a time on, likewise, and is who has had it where it lets it go. A
-    /// robot that no process has had is in nobody's way in a zone.
+    /// Gives that process the robot from a time on, likewise; it counts as the owner also after it releases
+    /// the robot. A robot that no process has had disturbs none in a zone.
     void give_robot(std::size_t robot, double time_s, std::size_t process);
 
-    /// Behind the run: all robots stand where they are from there on.
+    /// Ends the run: from there on all robots stay at their positions.
     void finish() { know_until(std::numeric_limits<double>::infinity()); }
-    /// Behind finish(): what touches goes into the reports of both robots, which are in the order of the
-    /// robots.
+    /// Adds contacts, after finish(), to the reports of both robots, which are in the order of the robots.
     void add_findings(std::vector<RobotReport>& reports) const;
-    /// For the report of all: which robots were not looked at against each other, as sentences.
+    /// Returns messages for the common report: which robots were not checked against each other.
     std::vector<std::string> warnings() const;
 
   private:
-    /// A piece of a robot's motion.
+    /// Part of a robot's motion.
     struct Piece {
         motion::Segment segment;
         Place place;
         bool jet_on = false;
         std::shared_ptr<const cell::MachineBodies> bodies = {};
     };
-    /// Which process has a robot from a time on.
+    /// Process that has a robot from a time on.
     struct Owner {
         double from_s;
         std::size_t process;
     };
-    /// A robot's motion, as far as it is told and not yet looked at; or a zone, which stands.
+    /// Motion of a robot, as far as it is reported and not yet checked; or a zone, at standstill.
     struct Track {
         std::string name;
         rrs::CartPos base;
-        Simulator* simulator = nullptr;                                 ///< None of a zone.
-        std::shared_ptr<const kinematics::Kinematics> kinematics = {};  ///< Of the machine's file.
-        std::uint64_t frame_changes = 0;  ///< Of which `standing` has the bodies.
+        Simulator* simulator = nullptr;                                 ///< Null for a zone.
+        std::shared_ptr<const kinematics::Kinematics> kinematics = {};  ///< From the machine file.
+        std::uint64_t frame_changes = 0;  ///< At which `standing` has the bodies.
         std::deque<Piece> pieces = {};
         std::size_t first = 0;           ///< Number of the first of those, from the start of the run on.
-        Piece standing = {};             ///< What it does behind them.
+        Piece standing = {};             ///< State after them.
         std::vector<Owner> owners = {};  ///< In the order of time.
         bool moved = false;
     };
-    /// Who has a zone from a time on.
+    /// Process that has a zone from a time on.
     struct Turn {
         double from_s;
         std::optional<Holder> holder;
     };
     struct Zone {
         cell::Shape shape;
-        std::vector<Turn> turns;  ///< In the order of time; at first nobody has it.
+        std::vector<Turn> turns;  ///< In the order of time; at first it is free.
     };
     /// Two robots, or a robot and a zone.
     struct Pair {
         std::array<std::size_t, 2> tracks;
         std::optional<std::size_t> zone;
         cell::NeighbourWatch watch;
-        std::array<std::size_t, 2> next = {};  ///< Numbers of the pieces that are still to be looked at.
+        std::array<std::size_t, 2> next = {};  ///< Numbers of the parts that are still to be checked.
         std::array<std::shared_ptr<const cell::MachineBodies>, 2> bodies = {};
         double time_s = 0;     ///< It has been looked at so far.
-        std::size_t turn = 0;  ///< Of the zone, at that time.
-        std::size_t told = 0;  ///< Of the contacts of `watch`, those in found_.
+        std::size_t turn = 0;  ///< Index in the zone, at that time.
+        std::size_t told = 0;  ///< Number of contacts of `watch` in found_.
     };
     /// One side of a contact.
     struct Side {
@@ -127,7 +128,7 @@ class RobotsWatch {
     };
     struct Found {
         std::size_t pair;
-        std::size_t contact;  ///< Of its watch.
+        std::size_t contact;  ///< Index in its watch.
         std::vector<Side> sides;
     };
 
@@ -152,8 +153,8 @@ class RobotsWatch {
     void drop_passed();
     void add_collision(const Found& found, const Side& side, std::vector<RobotReport>& reports) const;
 
-    std::deque<Track> tracks_;  ///< Of the robots, and behind them of the zones; they stay where they are.
-    std::size_t robots_;        ///< How many of those are robots.
+    std::deque<Track> tracks_;  ///< Robots, and after them zones; their addresses do not change.
+    std::size_t robots_;        ///< Number of robots in them.
     std::deque<Zone> zones_;
     std::vector<Pair> pairs_;
     std::vector<Found> found_;

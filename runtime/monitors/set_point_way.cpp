@@ -27,7 +27,7 @@ Vector3d SetPointWay::Piece::at(double share) const {
     return from + share * (to - from) + share * left * left * bend_from - share * share * left * bend_to;
 }
 
-/// Where that is `enough_mm` or more, any value from there up to it will do.
+/// Returns any value from `enough_mm` up to the distance, if that is `enough_mm` or more.
 double SetPointWay::Piece::distance_mm(const Vector3d& point_mm, double enough_mm) const {
     double share = share_of_line(point_mm, from, to);
     const double of_chord = (from + share * (to - from) - point_mm).norm();
@@ -101,7 +101,8 @@ void SetPointWay::forget_before(double t_s) {
     }
 }
 
-/// The last piece in front of this one that is not wholly within so much of the way before its start.
+/// Returns the last part in front of this one that is not completely within that distance along the path
+/// before its start.
 std::size_t SetPointWay::before(std::size_t piece, double skipped_mm) const {
     const double until_mm = pieces_[piece].behind_mm - skipped_mm;
     const auto end = pieces_.begin() + static_cast<std::ptrdiff_t>(piece);
@@ -110,8 +111,8 @@ std::size_t SetPointWay::before(std::size_t piece, double skipped_mm) const {
     return static_cast<std::size_t>(above - pieces_.begin());
 }
 
-/// From the newest piece backwards. What is so much farther than the nearest one found cannot come nearer
-/// before so much more of the way, so most pieces are never looked at.
+/// Searches from the newest part backwards. A part that is much farther than the nearest one found cannot
+/// come nearer before that much more of the path, so most parts are never checked.
 double SetPointWay::distance_mm(const Vector3d& point_mm) {
     if (pieces_.empty()) return (end_mm_ - point_mm).norm();
     near_ = std::min(near_, pieces_.size() - 1);

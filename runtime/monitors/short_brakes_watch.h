@@ -9,14 +9,15 @@
 
 namespace gsim::simulation {
 
-/// Looks for blocks at whose end the machine crawls, as the control's ramps in steps of time had braked
-/// before (motion::SteppedRamps), and for what that takes.
+/// Monitor for blocks with a crawl at their end, because the controller's ramps in time steps had braked
+/// before (motion::SteppedRamps), and for the time it takes.
 class ShortBrakesWatch : public RunOutput {
   public:
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
-    /// A sentence for the report, if the machine crawled. `files` are the names that places index.
+    /// Returns a message for the report, if the machine crawled. `files` are the names that source locations
+    /// index.
     std::optional<std::string> warning(const std::vector<std::string>& files) const;
 
   private:

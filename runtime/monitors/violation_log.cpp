@@ -21,7 +21,7 @@ std::string remedy_text(const Violations& violations) {
     return shifts + " would bring the whole program within the limits";
 }
 
-// What is not listed needs no time, and would wait for long where moves are of no length (probes that touch).
+// Only listed violations need a time: others would wait long if moves have no length (probes that touch).
 void ViolationLog::add_before(rrs::TargetId id, Violation violation) {
     if (moves_ + waiting_.size() >= kMostViolations) return count(violation);
     waiting_.push_back({id, std::move(violation)});
@@ -43,7 +43,7 @@ void ViolationLog::put(Violation violation, double t_s) {
     add(std::move(violation));
 }
 
-// A controller may pass a move over that is too short for its steps: its time is that of the next one.
+// A controller may skip a move that is too short for its steps: its time is that of the next one.
 void ViolationLog::take(const RecordedMove& move) {
     while (!waiting_.empty() && waiting_.front().id <= move.info.target_id) {
         put(std::move(waiting_.front().violation), move.start_s);

@@ -9,20 +9,19 @@
 
 namespace gsim::simulation {
 
-/// The violations of a run. That a move takes axes past their ranges is known before it is made, and so
-/// before its time is.
+/// Violations of a run. A move past the ranges of axes is known before it is made, and so before its time is.
 class ViolationLog final : public RunOutput {
   public:
-    /// The move with this target id, yet to be made, takes an axis past its range.
+    /// Adds a violation of the move with this target id, yet to be made, which takes an axis past its range.
     void add_before(rrs::TargetId id, Violation violation);
-    /// Something at a known time; kMostViolations of these at most.
+    /// Adds a violation at a known time; at most kMostViolations of these.
     void add(Violation violation);
 
     void take(const RecordedMove& move) override;
     void end(double end_s) override;
 
-    /// All of them by time; what is not listed is counted. `further`: how many more there were that were not
-    /// added. Call it once, behind the end of the run.
+    /// Returns all of them by time; those that are not listed are counted. `further`: number of others that
+    /// were not added. Call it once, after the end of the run.
     Violations release(std::uint64_t further);
 
   private:
@@ -34,10 +33,10 @@ class ViolationLog final : public RunOutput {
     void count(const Violation& violation);
     void put(Violation violation, double t_s);
 
-    std::deque<Waiting> waiting_;  ///< In the order of their ids; with moves_ kMostViolations at most.
+    std::deque<Waiting> waiting_;  ///< By id; at most kMostViolations, together with moves_.
     std::vector<Violation> list_;
     std::uint64_t count_ = 0;
-    std::uint64_t moves_ = 0;  ///< Of list_, those of moves.
+    std::uint64_t moves_ = 0;  ///< Number of moves in list_.
     OffsetNeeds needs_;
 };
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMissed_mm = 1e-6;            // nearer to the end of a move is on it
 constexpr double kDeviationArcStep_rad = 0.1;  // from point to point
 constexpr int kPointsOfTwo = 16;               // of two motions at once
-constexpr int kPointsOfTurns = 32;             // where the part turns
-constexpr std::size_t kWaysBehind = 2;  // moves behind the one under way that a rounded corner may come near
+constexpr int kPointsOfTurns = 32;             // if the part turns
+constexpr std::size_t kWaysBehind = 2;  // moves after the current one that a rounded corner may come near
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr int kMostTargets = 4;  // of a run that are kept
 
@@ -79,15 +79,15 @@ void WayDeviation::end(double) {
     if (!run_.empty()) end_run(run_.back().id);
 }
 
-/// The move at whose start a run has ended before this segment: an arc rounds the corner in front of its
-/// move.
+/// Returns the move at the start of which a run has ended before this segment: an arc rounds the corner in
+/// front of its move.
 rrs::TargetId WayDeviation::first_behind_run(const Segment& segment) const {
     const std::size_t way = way_of(segment.target_id);
     const bool rounds = segment.off_way == OffWay::corner && segment.kind == SegmentKind::circular;
     return rounds && way > 0 && way < ways_.size() ? ways_[way - 1].id() : segment.target_id;
 }
 
-/// A corner whose distance from the way round it the planner has worked out.
+/// Adds a corner with a distance that the planner has computed.
 void WayDeviation::take_told(const Segment& segment) {
     const std::size_t way = way_of(segment.target_id);
     if (way == ways_.size()) return;
@@ -133,7 +133,7 @@ void WayDeviation::look_at(const Segment& segment, PartTip& tip, Driven& driven)
     }
 }
 
-/// The index of a move; as many as there are where it is none of these.
+/// Returns the index of a move; their number if it is none of these.
 std::size_t WayDeviation::way_of(rrs::TargetId id) const {
     const auto found =
         std::lower_bound(ways_.begin(), ways_.end(), id,
@@ -142,8 +142,9 @@ std::size_t WayDeviation::way_of(rrs::TargetId id) const {
     return is ? static_cast<std::size_t>(found - ways_.begin()) : ways_.size();
 }
 
-/// How far a point is from the moves about this one; where that is no more than `enough`, any value up to it.
-/// Looked at first are the moves that follow `near`, which becomes the one that ends the search.
+/// Returns the distance of a point from the moves about this one; if that is no more than `enough`, any value
+/// up to it. The search starts with the moves that follow `near`, which becomes the move that ends the
+/// search.
 double WayDeviation::off_way(const Vector3d& point, std::size_t way, double enough, std::size_t& near) {
     double least = kNowhere;
     const PartTip* const tip = ways_[way].tip().get();
@@ -173,7 +174,8 @@ void WayDeviation::measure(const Driven& driven, std::size_t way) {
     near_ = ways_[near].id();
 }
 
-/// How far the driven way passes from a programmed point of a move, and from its end if that is the point.
+/// Measures the distance of the driven path from a programmed point of a move, and counts it if the point is
+/// the move's end.
 void WayDeviation::measure_missed(const Vector3d& point, std::size_t way) {
     const PartTip* const tip = ways_[way].tip().get();
     const ProgrammedWay& next = ways_[std::min(way + 1, ways_.size() - 1)];
@@ -185,8 +187,8 @@ void WayDeviation::measure_missed(const Vector3d& point, std::size_t way) {
     if (least > worst) note(run_distance(point, tip, distance_to_curve, worst), rapid, next.place());
 }
 
-/// How far a point is from what is kept of the run of this tool; where it is missed by no more than `enough`,
-/// any value up to it. kNowhere where there is nothing.
+/// Returns the distance of a point from the stored run of this tool; if it is missed by no more than
+/// `enough`, any value up to it. kNowhere if the run is empty.
 double WayDeviation::run_distance(const Vector3d& point, const PartTip* tip, CurveDistance distance,
                                   double enough) const {
     double least = kNowhere;
@@ -198,7 +200,7 @@ double WayDeviation::run_distance(const Vector3d& point, const PartTip* tip, Cur
     return least;
 }
 
-/// Looks at the ends of moves before this one that the run passes.
+/// Checks the ends of moves before this one that the run passes.
 void WayDeviation::settle(rrs::TargetId until) {
     for (std::size_t way = 0; way < ways_.size() && ways_[way].id() < until; ++way) {
         if (ways_[way].id() < unsettled_) continue;
@@ -217,7 +219,7 @@ void WayDeviation::end_run(rrs::TargetId until) {
     run_.clear();
 }
 
-/// Moves that nothing will be compared with any more.
+/// Drops moves that take part in no later comparison.
 void WayDeviation::drop_old() {
     const rrs::TargetId first = run_.empty() ? passed_ : std::min(run_.front().id, unsettled_);
     while (!ways_.empty() && ways_.front().id() < first) ways_.pop_front();

@@ -16,23 +16,24 @@
 
 namespace gsim::simulation {
 
-/// Measures how far the tip, on the part, leaves the way that the program asks for: where the controller
-/// rounds corners, and where it goes one line for several (Segment::off_way). It is the greater of
-/// - how far a place of the driven way is from the programmed one, and
-/// - how far the programmed end of a move is from the driven way; of moves that are left out as a whole other
+/// Monitor of how far the TCP, on the part, leaves the programmed path: at corners that the controller
+/// rounds, and at single lines that it runs for several (Segment::off_way). It is the greater of
+/// - the distance of a point of the driven path from the programmed one, and
+/// - the distance of the programmed end of a move from the driven path; of moves that are omitted completely
+///   other
 ///   points of curves, too.
-/// Compared are ways that come near each other in the program: the driven way between two moves that are
-/// driven as programmed, or some moves of it, with the moves there. What a controller does to a way all along
-/// it (chords for arcs, the grid of its steps, ramps of an axis's own) is not looked at.
+/// Only paths that come near each other in the program are compared: the driven path between two moves that
+/// are driven as programmed, or some moves of it, with the moves there. Changes that a controller makes all
+/// along a path (chords for arcs, the grid of its steps, an axis's own ramps) are not checked.
 class WayDeviation final : public motion::WaySink, public RunOutput {
   public:
     /// `setup` must outlive this.
     explicit WayDeviation(const motion::PlannerSetup& setup);
 
-    /// The moves that follow have a tool whose tip is here, as seen from the machine's tool centre point.
-    /// Where nothing turns it about the part it makes no difference.
+    /// Sets the tool tip for the moves that follow, as seen from the machine's tool centre point. It makes no
+    /// difference if no joint turns it about the part.
     void set_tip(const Eigen::Vector3d& tip_mm);
-    /// The move with this target is about to be put.
+    /// Announces the move with this target, which is about to be enqueued.
     void expect(rrs::TargetId id, const Place& place);
 
     void programmed(const motion::PathMove& move) override;
@@ -46,13 +47,13 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
     const Blends& blends() const { return blends_; }
 
   private:
-    /// A segment off the way, by points of the tip.
+    /// Segment off the path, by points of the TCP.
     struct Driven {
         rrs::TargetId id = 0;
         const PartTip* tip = nullptr;
         int count = 0;
         std::array<Eigen::Vector3d, 33> points;
-        Eigen::AlignedBox3d box;  ///< Of the points.
+        Eigen::AlignedBox3d box;  ///< Box of the points.
 
         std::span<const Eigen::Vector3d> curve() const {
             return {points.data(), static_cast<std::size_t>(count)};
@@ -76,13 +77,13 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
     void note(double deviation_mm, bool rapid, const Place& place);
 
     const motion::PlannerSetup& setup_;
-    std::shared_ptr<PartTip> tip_;  ///< Of the moves that are programmed now.
+    std::shared_ptr<PartTip> tip_;  ///< For the moves that are programmed now.
     rrs::TargetId expected_ = 0;
-    Place place_;  ///< Of the move that is expected.
+    Place place_;  ///< For the expected move.
     std::deque<ProgrammedWay> ways_;
-    std::deque<Driven> run_;       ///< The last segments off the way, one behind the other.
-    rrs::TargetId near_ = 0;       ///< The move at which the last point of the driven way was found.
-    rrs::TargetId passed_ = 0;     ///< Of the last segment on the way.
+    std::deque<Driven> run_;       ///< The last segments off the path, one after the other.
+    rrs::TargetId near_ = 0;       ///< Move at which the last point of the driven path was found.
+    rrs::TargetId passed_ = 0;     ///< Id of the last segment on the path.
     rrs::TargetId unsettled_ = 0;  ///< Ends of moves before this one have been looked at.
     Blends blends_;
 };

@@ -6,7 +6,7 @@
 
 namespace gsim::simulation {
 
-/// Tells several what one is told.
+/// Distributor of one input to several sinks.
 class WaySinks final : public motion::WaySink {
   public:
     /// `sink` outlives this.

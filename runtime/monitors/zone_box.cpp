@@ -28,13 +28,13 @@ bool is_apart(const Range& walls, const Range& way) {
     return way.max < walls.min - kTouch_mm || way.min > walls.max + kTouch_mm;
 }
 
-/// An instant at which something may begin.
+/// Instant at which something may begin.
 struct Instant {
     double t_s;
-    const BoxSide* passed;  ///< Whose wall the joint passes; null where it turns back or an end is.
+    const BoxSide* passed;  ///< Side with the wall that the joint passes; null at a reversal or an end.
 };
 
-/// All instants of one side: in between its joint goes one way and passes no wall.
+/// Adds all instants of one side: in between its joint moves in one direction and passes no wall.
 void add_instants(const Segment& segment, const BoxSide& side, std::vector<Instant>& instants) {
     std::vector<double> ends{0, segment.duration_s};
     motion::add_turns(segment, side.joint, ends);
@@ -66,8 +66,8 @@ bool is_above(const Range& walls, double value) {
     return value > (walls.min + walls.max) / 2;
 }
 
-/// When the walls of a side were passed last, of the instants up to the last one, at which its joint is
-/// beyond them; or since when it is not known to be within.
+/// Returns when the walls of a side were passed last, among the instants up to the last one, at which its
+/// joint is beyond them. Otherwise returns since when it is not known to be within.
 BoxOffence left_by(std::span<const Instant> until, const BoxSide& side, bool upper) {
     for (std::size_t i = until.size(); i-- > 0;) {
         if (until[i].passed == &side) return {until[i].t_s, side.axis, upper, false};
@@ -75,7 +75,7 @@ BoxOffence left_by(std::span<const Instant> until, const BoxSide& side, bool upp
     return {until.size() > 1 ? until[until.size() - 2].t_s : 0, side.axis, upper, false};
 }
 
-/// The box is left for good between the last two instants.
+/// Expects that the box is left for good between the last two instants.
 BoxOffence leaving(std::span<const BoxSide> sides, std::span<const Instant> until,
                    const rrs::JointPos& outside) {
     BoxOffence first{.t_s = std::numeric_limits<double>::infinity()};
@@ -88,7 +88,7 @@ BoxOffence leaving(std::span<const BoxSide> sides, std::span<const Instant> unti
     return first;
 }
 
-/// The box is entered at an instant, and is not at `before`.
+/// Expects that the box is entered at an instant, and that `before` is outside.
 BoxOffence entering(std::span<const BoxSide> sides, const Instant& instant, const rrs::JointPos& before) {
     BoxOffence entered{.t_s = instant.t_s};
     for (const BoxSide& side : sides) {
@@ -117,7 +117,7 @@ bool ZoneBox::surely_allowed(const Segment& segment) const {
     return stay_inside_;
 }
 
-/// Of a point that is not allowed.
+/// Expects a point that is not allowed.
 BoxOffence ZoneBox::nearest_wall(const rrs::JointPos& joints) const {
     BoxOffence nearest{.at_start = true};
     double least = std::numeric_limits<double>::infinity();
@@ -139,7 +139,7 @@ std::optional<BoxOffence> ZoneBox::first_offence(const Segment& segment) const {
     return found.empty() ? std::nullopt : std::optional(found.front().began);
 }
 
-/// How far the joint across the wall of an offence is past it.
+/// Returns how far the joint across the wall of an offence is past it.
 double ZoneBox::beyond_mm(const BoxOffence& offence, const rrs::JointPos& joints) const {
     const auto side = std::find_if(sides().begin(), sides().end(),
                                    [&](const BoxSide& each) { return each.axis == offence.axis; });

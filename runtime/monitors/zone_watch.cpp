@@ -23,7 +23,7 @@ std::array<int, 3> position_joints(const machine::Machine& machine) {
     return joints;
 }
 
-/// The first `t_s` of a segment, as long as that may be.
+/// Returns the first `t_s` of a segment, however long that may be.
 Segment cut(const Segment& segment, double t_s) {
     if (t_s > 0) return t_s < segment.duration_s ? motion::segment_until(segment, t_s) : segment;
     Segment none;
@@ -63,8 +63,8 @@ void ZoneWatch::add_zone(std::string name, const machine::Zone& zone) {
                       zone.active_at_start, zone.switch_number});
 }
 
-// The program is read ahead of the motion: what a word changes here holds from the first move behind it,
-// wherever the machine is when the word is read.
+// The program is read ahead of the motion. So a change by a word holds from the first move after it, wherever
+// the machine is when the word is read.
 bool ZoneWatch::switch_zones(int switch_number, bool on, rrs::TargetId from) {
     const auto has_number = [switch_number](const Known& zone) {
         return zone.switch_number == switch_number;
@@ -80,7 +80,8 @@ void ZoneWatch::set_programmed(const std::optional<ZoneWalls>& limits, rrs::Targ
     changes_.push_back({from, [this, limits](const rrs::JointPos& at) {
                             programmed_.reset();
                             if (!limits) return;
-                            // G22 fences in or out, whichever side the machine is on when it takes effect.
+                            // G22 keeps the tool in or out, depending on the side of the machine when it
+                            // takes effect.
                             const bool inside = box_of(*limits, false).contains(at);
                             programmed_ = {"the zone of G22", *limits, inside, true, {}};
                         }});
@@ -106,7 +107,7 @@ void ZoneWatch::renew_boxes() {
         if (!zone.on) zone.stay.reset();
     }
     if (programmed_) active_.push_back(&*programmed_);
-    // Walls lie where the work frame's are, shifted by the tool: a box for each tool, not a sum for each
+    // Walls are at those of the work frame, shifted by the tool: a box for each tool, not a sum for each
     // segment.
     for (Known* zone : active_) zone->box = box_of(zone->limits, zone->stay_inside);
     const auto has_no_walls = [](const Known* zone) { return zone->box.sides().empty(); };

@@ -46,7 +46,7 @@ Status ModuleMotion::SelectTargetType(rrs::TargetType type) {
     return status;
 }
 
-/// A target in joint values; of a pose by the module's own kinematics.
+/// Returns a target in joint values; for a pose, by the module's own kinematics.
 rrs::JointPos ModuleMotion::solved(const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
     if (target_type_ == rrs::TargetType::joint) return joints.size() == target_.size() ? joints : target_;
     rrs::JointPos result = target_;
@@ -64,8 +64,8 @@ Status ModuleMotion::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
     return status;
 }
 
-/// What is called follows one behind the other, so that a module in a process of its own need not be asked
-/// for each step.
+/// Announces a series of consecutive calls, so that a module in a separate process need not be queried for
+/// each step.
 template <typename Call>
 Status ModuleMotion::ahead(rrs::RcsAhead what, const Call& call) {
     announce(what, tells_target_);
@@ -74,7 +74,7 @@ Status ModuleMotion::ahead(rrs::RcsAhead what, const Call& call) {
     return status;
 }
 
-/// Calls until the module's queue has room.
+/// Repeats the call until the module's queue has space.
 template <typename Call>
 Status ModuleMotion::until_room(const Call& call) {
     Status status = ahead(rrs::RcsAhead::if_full, call);
@@ -186,7 +186,7 @@ Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double e
     return status;
 }
 
-// A foreign planner may answer for ever; each way of doing so ends here.
+// A foreign planner may respond without end; each form of that ends here.
 Status ModuleMotion::watch(bool moved, double elapsed_s) {
     idle_s_ = moved ? 0 : idle_s_ + elapsed_s;
     standing_ = elapsed_s > 0 ? 0 : standing_ + 1;
@@ -196,7 +196,7 @@ Status ModuleMotion::watch(bool moved, double elapsed_s) {
     return Status::RRS_SUCCESS;
 }
 
-// A module that was built before there was GetTargetOfLastStep answers that it has no such service; then
+// A module that was built before GetTargetOfLastStep existed responds that it has no such service; then
 // targets are counted as it reaches them.
 rrs::TargetId ModuleMotion::target_of_step() {
     rrs::TargetId id = -1;
@@ -222,7 +222,7 @@ void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
     segment_.limited_by = {.kind = motion::LimitKind::unknown};
     const double length = segment_.length_mm > 0 ? segment_.length_mm : way.norm();
     segment_.kind = length > 0 ? motion::SegmentKind::linear : motion::SegmentKind::rest;
-    // Of what a module does between two steps nothing is known: the joints go evenly.
+    // The motion of a module between two steps is unknown: the joints are taken to move evenly.
     const motion::LawPiece piece{
         .duration_s = elapsed_s, .s0 = 0, .v0 = length / elapsed_s, .a0 = 0, .jerk = 0};
     segment_.lead = motion::TimeLaw::of_pieces({&piece, 1});

@@ -16,18 +16,20 @@
 
 namespace gsim::simulation {
 
-/// A controller module. Targets are put until it answers RRS_QUEUE_FULL or its motion has to be known; then
-/// it is stepped, and each step of GetNextStep becomes a straight segment at constant speed. So the times at
-/// which moves begin and end are right to within a step, and a move shorter than a step may not show. A step
-/// belongs to the target that GetTargetOfLastStep tells; of a module without that service to the oldest
-/// target for which RRS_TARGET_REACHED has not come. A step in which no joint moves is a rest.
+/// Controller module. Targets are enqueued until it returns RRS_QUEUE_FULL or its motion has to be known.
+/// Then it is stepped, and each step of GetNextStep becomes a straight segment at constant speed. So the
+/// times at which moves begin and end are right to within a step, and a move shorter than a step may not
+/// show. A step belongs to the target that GetTargetOfLastStep returns. For a module without that service it
+/// belongs to the oldest target for which RRS_TARGET_REACHED has not come. A step in which no joint moves is
+/// a standstill.
 ///
-/// Beside the faults that RcsShell finds, these are faults: a jump in no time, time that stands still, ten
-/// minutes in which nothing moves though no rest was asked for, a full queue with nothing in it.
+/// In addition to the errors that RcsShell finds, these are errors: a jump in no time, time that does not
+/// advance, ten minutes without motion though no dwell was requested, an empty queue that is reported as
+/// full.
 class ModuleMotion final : public rrs::RcsShell, public MotionSource {
   public:
-    /// `sink` must outlive this. Steps take the controller's servo period, or 1 ms where it has none. Past
-    /// `max_time_s` no more steps are taken.
+    /// `sink` must outlive this. Steps last the controller's servo period, or 1 ms if it has none. Past
+    /// `max_time_s` no more steps are made.
     ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& setup, double max_time_s,
                  motion::SegmentSink& sink);
 
@@ -43,7 +45,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     motion::Planned check_ramps() const override { return {}; }
     motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override;
     motion::Put put(const motion::Move& move) override;
-    /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and
+    /// Steps the module until `search` has a result, and then to its stop: it must offer StopMotion and
     /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
     motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
     motion::Planned put_own(const rrs::JointPos& end) override;
@@ -53,7 +55,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     void come_to_rest(bool waits) override;
     void end_program() override;
     double time_s() const override { return time_s_; }
-    /// A step is passed on as it is made.
+    /// Returns infinity, because a step is passed on as it is made.
     double passed_on_s() const override { return std::numeric_limits<double>::infinity(); }
     const rrs::JointPos& position() const override { return target_; }
     bool sampled() const override { return true; }
@@ -86,18 +88,19 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     void calling() override;
 
   private:
-    /// What moves of a program and clients of the services select, both, of the one module; none: not known.
+    /// Modes of the one module that both moves of a program and clients of the services select; nullopt:
+    /// unknown.
     struct Modes {
         std::optional<rrs::TargetType> target_type;
         std::optional<rrs::MotionType> motion_type;
         std::optional<bool> rapid;
         std::optional<double> position_speed_mm_s;
         std::optional<double> orientation_speed_rad_s;
-        bool joints_alone = false;  ///< It takes no lines of joint values: no joints carry the tool.
+        bool joints_alone = false;  ///< It accepts no lines of joint values: no joints carry the tool.
         std::optional<rrs::JointPos> joint_speeds;
     };
 
-    /// call(), for moves of the program.
+    /// Runs call() for moves of the program.
     template <typename Call>
     auto by_program(const Call& call) {
         struct Side {
@@ -144,24 +147,24 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     double step_s_;
     double max_time_s_;
     motion::SegmentSink& sink_;
-    motion::Segment segment_;  ///< Of the step under way.
-    rrs::JointPos reached_;    ///< Where the last step ended.
+    motion::Segment segment_;  ///< Segment of the current step.
+    rrs::JointPos reached_;    ///< End of the last step.
     rrs::JointPos target_;     ///< The last target.
     rrs::TargetType target_type_ = rrs::TargetType::joint;
     Modes told_;                 ///< By moves, since a client has called.
-    motion::Selections client_;  ///< What clients have selected, as far as moves select it, too.
+    motion::Selections client_;  ///< Selections of clients, as far as moves select them, too.
     rrs::JointPos client_joint_speeds_;
     motion::Selections no_selections_;
-    bool by_program_ = false;       ///< Who calls the module.
-    motion::MoveTerms told_terms_;  ///< Of those the way in which moves are passed, and their ramps.
+    bool by_program_ = false;       ///< True if a program calls it.
+    motion::MoveTerms told_terms_;  ///< Sent terms: how moves are passed, and their ramps.
     std::vector<std::string> remarks_;
-    std::deque<rrs::TargetId> waiting_;  ///< Targets not reached yet, where the module does not tell.
+    std::deque<rrs::TargetId> waiting_;  ///< Targets not reached yet, if the module does not report them.
     bool tells_target_ = true;
     bool has_position_ = false;
     double time_s_ = 0;
     double idle_s_ = 0;           ///< Since something moved last.
     double rests_s_ = 0;          ///< Asked for so far.
-    std::uint64_t standing_ = 0;  ///< Steps without time, one behind the other.
+    std::uint64_t standing_ = 0;  ///< Consecutive steps without time.
 };
 
 }  // namespace gsim::simulation

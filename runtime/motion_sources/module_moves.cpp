@@ -1,5 +1,5 @@
-// How moves of a program become calls of a module's services: what the module has not been told, then the
-// target.
+// Calls of a module's services for moves of a program: first settings that the module does not have yet, then
+// the target.
 
 #include <cmath>
 #include <utility>
@@ -16,7 +16,8 @@ using rrs::TargetType;
 
 namespace {
 
-/// The service is not there, or the module is broken; any other answer leaves the controller as it can be.
+/// Returns true if the service is missing, or the module is broken; any other result leaves the controller as
+/// it can be.
 bool is_missing(Status status) {
     return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
 }
@@ -27,7 +28,7 @@ std::span<const double> all_of(const rrs::JointPos& joints) {
 
 }  // namespace
 
-/// Each side has its own modes: before a client calls, what moves have selected since is taken back.
+/// Gives each side its own modes: before a client calls, selections that moves have made since are undone.
 void ModuleMotion::calling() {
     if (by_program_) return;
     const Modes told = std::exchange(told_, {});
@@ -104,8 +105,8 @@ motion::Planned ModuleMotion::check_tip(const std::optional<Eigen::Vector3d>& ti
     });
 }
 
-/// What the move's target and way are. Poses are none without the services; joint values go on with what the
-/// controller has.
+/// Sends the kind of the move's target and path. Poses are impossible without the services; joint values
+/// continue with what the controller has.
 Status ModuleMotion::tell_kind(const motion::Move& move) {
     const TargetType target = move.goal.pose ? TargetType::cartesian : TargetType::joint;
     const MotionType type = move.via ? MotionType::circular : move.circle ? MotionType::linear : move.type;
@@ -150,8 +151,8 @@ Status ModuleMotion::tell_feed(const motion::MoveTerms& terms) {
     return terms.motion_time_s > 0 ? SetMotionTime(terms.motion_time_s) : Status::RRS_SUCCESS;
 }
 
-/// A line of joint values is the joints' own where none of them carries the tool: they go evenly, all
-/// together as fast as the feed says, which is that of the slides where some move.
+/// Returns the speeds for a line of joint values that are independent, because none of the joints carries the
+/// tool. They move evenly, all together as fast as the feed says, which is that of the slides if some move.
 rrs::JointPos ModuleMotion::joint_speeds_of(const motion::Move& move) const {
     rrs::JointPos speeds = rrs::JointPos::Constant(target_.size(), motion::kUnlimited);
     if (move.terms.rapid || move.terms.motion_time_s > 0) return speeds;
@@ -236,7 +237,8 @@ Status ModuleMotion::put_told(const motion::Move& move) {
     return put(rrs::TargetParam::end, move.goal);
 }
 
-/// A module refuses what lies past a range in its own words; those of the machine's axes say more.
+/// Checks ranges first: a module rejects positions past a range with its own message, and the messages of the
+/// machine's axes say more.
 motion::Put ModuleMotion::put(const motion::Move& move) {
     if (move.goal.pose && !move.goal.pose->led.empty()) {
         return tl::unexpected(motion::PlanError{

@@ -7,7 +7,7 @@
 
 namespace gsim::simulation {
 
-/// What a run asked of its controller, kept.
+/// Stored requests of a run to its controller.
 class MotionLog final : public MotionObserver {
   public:
     void stands_at(const rrs::JointPos& joints) override { start_ = joints; }
@@ -19,7 +19,7 @@ class MotionLog final : public MotionObserver {
 
     const rrs::JointPos& start() const { return start_; }
     const std::vector<MotionAsk>& asks() const { return asks_; }
-    /// Why this is not all that the motion depends on; empty: it is.
+    /// Returns why this is not everything that the motion depends on; empty: it is.
     const std::string& gap() const { return gap_; }
 
   private:

@@ -8,38 +8,39 @@
 
 namespace gsim::simulation {
 
-/// A dwell, by the id of its target, or a rest for what a word has set going.
+/// Dwell, by the id of its target, or standstill for something that a word has started.
 struct AskedRest {
     rrs::TargetId target_id = 0;
     double rest_s = 0;
-    std::string time_key;  ///< Of [times] in the machine file, which says how long; empty: of none.
+    std::string time_key;  ///< Key of [times] in the machine file, which gives the duration; empty: none.
 };
 
-/// What is planned is to end at rest; `waits`: the controller waits for its program.
+/// Request that the planned motion ends at standstill; `waits`: the controller waits for its program.
 struct AskedStop {
     bool waits = false;
 };
 
-/// Joints are to go by themselves.
+/// Request that joints move independently.
 struct AskedOwn {
     rrs::JointPos end;
 };
 
-/// One thing that a run asks of its controller, whole.
+/// One complete request of a run to its controller.
 using MotionAsk = std::variant<motion::Move, AskedRest, AskedStop, AskedOwn>;
 
-/// Is told what a run asks of its controller, in order: the same can be asked of another machine without the
-/// program.
+/// Observer of a run's requests to its controller, in order: the same can be requested from another machine
+/// without the program.
 class MotionObserver {
   public:
     virtual ~MotionObserver() = default;
-    /// Where the machine stands, before the first one.
+    /// Reports the position of the machine before the first request.
     virtual void stands_at(const rrs::JointPos& joints) = 0;
-    /// The controller has taken it.
+    /// Reports a request after the controller has accepted it.
     virtual void asked(const MotionAsk& ask) = 0;
-    /// The motion depends on more than what is told here: `why`, as what the program does ("it probes").
+    /// Reports that the motion depends on more than these calls: `why`, as what the program does ("it
+    /// probes").
     virtual void untold(std::string_view why) = 0;
-    /// The program has ended.
+    /// Reports that the program has ended.
     virtual void ended() = 0;
 };
 

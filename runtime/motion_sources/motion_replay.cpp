@@ -11,7 +11,7 @@ namespace gsim::simulation {
 
 namespace {
 
-/// Keeps when moves begin and end.
+/// Recorder of when moves begin and end.
 class Times final : public motion::SegmentSink {
   public:
     explicit Times(const MotionLog& log) {
@@ -37,7 +37,7 @@ class Times final : public motion::SegmentSink {
     std::vector<ReplayedMove> moves;
 
   private:
-    std::set<rrs::TargetId> dwells_, words_;  // that the program asks for, and rests for words
+    std::set<rrs::TargetId> dwells_, words_;  // requested by the program, and dwells for words
 };
 
 struct Asks {

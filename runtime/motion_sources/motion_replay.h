@@ -11,23 +11,23 @@
 
 namespace gsim::simulation {
 
-/// Asks a planner for what a run has asked its controller for, on a machine whose words take these times. A
-/// word that takes none there is no rest. The keys of rests are those of the machine that the run was made
-/// on: it names the same codes in [times].
+/// Repeats a run's request to its controller with a planner, on a machine with these times of words. A word
+/// without a time gets no dwell. The keys of dwells are those of the machine of the run: this one names the
+/// same codes in [times].
 motion::Planned ask_again(const MotionAsk& ask, const machine::WordTimes& times, motion::Planner& planner);
 
-/// When a move or a rest of a log was made, s.
+/// Time of a move or a dwell of a log, s.
 struct ReplayedMove {
     rrs::TargetId target_id = 0;
     double start_s = 0;
     double end_s = 0;
-    bool rests = false;    ///< And the program asks for no dwell: for a word, or the control itself.
+    bool rests = false;    ///< Standstill, no programmed dwell: for a word, or the controller itself.
     bool of_word = false;  ///< Then: for a word.
 };
 
-/// What becomes of a log that has no gap on a machine that is another than its own in figures alone, with our
-/// planner: the moves that take time, in order. Zones, cells and tables of the machine are not looked at. The
-/// error says which entry cannot be planned, and why.
+/// Replays a log without a gap, on a machine that differs from its own in parameters only, with our planner.
+/// Returns the moves that take time, in order. Zones, cells and tables of the machine are not checked. The
+/// error names the entry that cannot be planned, and the reason.
 tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
                                                             const motion::PlannerSetup& machine,
                                                             const machine::WordTimes& times);

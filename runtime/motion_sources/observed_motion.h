@@ -7,10 +7,10 @@
 
 namespace gsim::simulation {
 
-/// A controller with somebody who is told what it is asked for.
+/// Controller with an observer of the requests to it.
 class ObservedMotion final : public MotionSource {
   public:
-    /// Nothing has moved yet; `observer` must outlive this.
+    /// Expects that no motion has been made yet; `observer` must outlive this.
     ObservedMotion(std::unique_ptr<MotionSource> motion, MotionObserver& observer);
 
     rrs::Shell& shell() override;

@@ -9,18 +9,18 @@
 
 namespace gsim::simulation {
 
-/// A step that takes an axis past its range.
+/// Step that takes an axis past its range.
 struct StepPastRange {
     double t_s = 0;  ///< When the step ends.
-    MoveInfo move;   ///< Whose step it is.
+    MoveInfo move;   ///< Move of the step.
     std::size_t axis = 0;
-    double value = 0;  ///< The farthest that the axis goes from there on, mm or deg, as `limit`.
+    double value = 0;  ///< Farthest axis position from there on, mm or deg, as `limit`.
     double limit = 0;
 };
 
-/// Looks where the steps of a controller module take the axes: of its targets is known that they are within
-/// the ranges, but not of what it makes of them. Half a step of an axis beyond is not past its range, as
-/// controllers round to steps.
+/// Monitor of the axis positions in the steps of a controller module. Its targets are known to be within the
+/// ranges, but not its steps. Half a step of an axis beyond is not past its range, because controllers round
+/// to steps.
 class StepRanges final : public RunOutput {
   public:
     /// `machine` must outlive this.
@@ -29,7 +29,7 @@ class StepRanges final : public RunOutput {
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
-    /// By time, the first of each axis.
+    /// Returns them by time, the first of each axis.
     std::span<const StepPastRange> found() const { return found_; }
 
   private:

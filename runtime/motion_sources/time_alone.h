@@ -4,7 +4,7 @@
 
 namespace gsim::simulation {
 
-/// For a planner beside a run: its segments are of no interest, only the time.
+/// Sink for a planner in a comparison with a run: only the time counts, not its segments.
 class TimeAlone final : public motion::SegmentSink {
   public:
     void take(const motion::Segment& /*segment*/) override {}

@@ -26,7 +26,7 @@ namespace {
 constexpr double kTurn_rad = 2 * std::numbers::pi;
 constexpr double kSamePoint_mm = 1e-9;
 constexpr double kStraight_mm = 1e-7;  // off a line, by rounding
-constexpr double kLevel_mm = 1e-6;     // as readers of drawings take it
+constexpr double kLevel_mm = 1e-6;     // as drawing readers accept it
 constexpr double kRigid = 1e-9;
 constexpr int kLeastSteps = 8;
 constexpr std::size_t kMostInOne = 10'000;  // points of one polyline
@@ -108,7 +108,7 @@ void DxfWriter::take(const Segment& segment, const MoveInfo& info) {
     add_curve(segment);
 }
 
-/// The tip where the position joints have these values, and all others those of the segment's start.
+/// Returns the TCP at these values of the position joints, with all others as at the segment's start.
 Vector3d DxfWriter::tip_at(const Segment& segment, const Vector3d& position_mm) const {
     rrs::JointPos joints = segment.start;
     for (std::size_t axis = 0; axis < segment.position_joints.size(); ++axis) {
@@ -118,7 +118,7 @@ Vector3d DxfWriter::tip_at(const Segment& segment, const Vector3d& position_mm) 
     return tip_.at(joints);
 }
 
-/// The arc that the tip makes of a segment, where it is one about an axis along Z.
+/// Returns the arc of the TCP in a segment, if it is one about an axis along Z.
 std::optional<DxfWriter::Round> DxfWriter::round_of(const Segment& segment) const {
     const motion::Arc& arc = segment.arc;
     if (segment.kind != SegmentKind::circular || segment.beside) return std::nullopt;
@@ -135,7 +135,7 @@ std::optional<DxfWriter::Round> DxfWriter::round_of(const Segment& segment) cons
     return passes(segment, round) ? std::optional(round) : std::nullopt;
 }
 
-/// Whether the tip goes along the arc, as it does not on a helix, or where another joint moves it as well.
+/// Returns true if the TCP moves along the arc; it does not on a helix, or if another joint moves it as well.
 bool DxfWriter::passes(const Segment& segment, const Round& round) const {
     for (int i = 1; i <= kLeastSteps; ++i) {
         const Vector3d tip = tip_.at(segment.position_at(segment.duration_s * i / kLeastSteps));
@@ -147,7 +147,7 @@ bool DxfWriter::passes(const Segment& segment, const Round& round) const {
     return (tip_.at(segment.end_position()) - end).norm() < kTolerance_mm;
 }
 
-/// Arcs of one move that go on in each other are one.
+/// Merges arcs of one move that continue each other.
 void DxfWriter::add(const Round& round) {
     const auto goes_on = [&] {
         const bool same = (round_->center_mm - round.center_mm).norm() < kStraight_mm &&
@@ -175,7 +175,7 @@ void DxfWriter::add_curve(const Segment& segment) {
         [this] { return !cut_short(); });
 }
 
-/// A line that goes on straight is one.
+/// Merges a line that continues straight.
 void DxfWriter::add_point(const Vector3d& point_mm) {
     ++drawn_points_;
     if ((point_mm - points_.back()).norm() < kSamePoint_mm) return;
@@ -227,7 +227,7 @@ void DxfWriter::write_polyline() {
     begin_entity("SEQEND", level);
 }
 
-/// All whole turns are one circle, the rest is an arc, which DXF has counter-clockwise.
+/// Writes all full turns as one circle, and the remainder as an arc, which DXF has counter-clockwise.
 void DxfWriter::write_round() {
     const double sweep_rad = std::abs(round_->sweep_rad);
     const double turns = std::floor(sweep_rad / kTurn_rad + kRigid);

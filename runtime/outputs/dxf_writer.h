@@ -14,20 +14,21 @@
 
 namespace gsim::simulation {
 
-/// Writes the way of the tool's tip on the part as a DXF drawing of release 12, in mm (docs/report.md). What
-/// a move makes of lines is one LINE or POLYLINE, arcs parallel to XY stay arcs, other curves become lines
-/// within kTolerance_mm. Layers tell rapids, feed moves, and feed moves with the process on apart, each once
-/// for what stays at its height and once for what does not, since drawings of parts are flat.
+/// Writer of the TCP path on the part as a DXF drawing of release 12, in mm (docs/report.md). The lines of a
+/// move become one LINE or POLYLINE, arcs parallel to XY stay arcs, other curves become lines within
+/// kTolerance_mm. Layers distinguish rapids, feed moves, and feed moves with the process on. Each exists once
+/// for paths that stay at their height and once for others, because drawings of parts are flat.
 class DxfWriter : public RunOutput {
   public:
     static constexpr double kTolerance_mm = 0.005;
 
     static constexpr std::uint64_t kMostPoints = 10'000'000;  ///< Some 1 GB.
 
-    /// `out` must outlive this. Behind `most_points` it draws nothing.
+    /// `out` must outlive this. After `most_points` it draws no more.
     DxfWriter(TextStream& out, const machine::Machine& machine, std::uint64_t most_points = kMostPoints);
 
-    /// Whether moves are missing, as there would be too many points: a helix may have any number of turns.
+    /// Returns true if moves are missing, because the points would be too many: a helix may have any number
+    /// of turns.
     bool cut_short() const { return drawn_points_ > most_points_; }
 
     using RunOutput::take;
@@ -36,7 +37,7 @@ class DxfWriter : public RunOutput {
     void end(double end_s) override;
 
   private:
-    /// An arc about an axis along Z.
+    /// Arc about an axis along Z.
     struct Round {
         Eigen::Vector3d center_mm;
         double radius_mm = 0;
@@ -67,7 +68,7 @@ class DxfWriter : public RunOutput {
     PartTip tip_;
     Layer layer_ = Layer::rapid;
     std::int64_t target_id_ = 0;
-    std::vector<Eigen::Vector3d> points_;  ///< Of lines that are not written yet; none, or two and more.
+    std::vector<Eigen::Vector3d> points_;  ///< For lines that are not written yet; empty, or two and more.
     std::optional<Round> round_;           ///< Or an arc that is not.
 };
 

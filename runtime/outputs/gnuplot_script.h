@@ -21,7 +21,7 @@ class GnuplotScript {
         text_ += '\n';
     }
 
-    /// Begins a named block of data; the rows follow by point(), polylines apart by gap().
+    /// Begins a named block of data; the rows follow by point(), with gap() between polylines.
     void begin_data(std::string_view name) { line("${} << EOD", name); }
     void point(double x, double y) { line("{:.7g} {:.7g}", text::unsigned_zero(x), text::unsigned_zero(y)); }
     void gap() { text_ += '\n'; }

@@ -9,7 +9,7 @@
 
 namespace gsim::simulation {
 
-/// Writes each move as one line of JSON (docs/report.md). Values are those of the machine's axes.
+/// Writer of each move as one line of JSON (docs/report.md). Values are those of the machine's axes.
 class MovesWriter : public RunOutput {
   public:
     /// `files` are the names that Place::file indexes; they may grow while the writer is in use. All must

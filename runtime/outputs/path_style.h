@@ -4,7 +4,7 @@
 
 namespace gsim::simulation {
 
-/// How a piece of path is drawn, and but for `beyond` (past a limit) its speed over time.
+/// Style of a part of the path and, except for `beyond` (past a limit), of its speed over time.
 enum class PathStyle : std::uint8_t { rapid, feed, jet, beyond };
 
 }  // namespace gsim::simulation

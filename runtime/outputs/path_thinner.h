@@ -9,7 +9,7 @@
 
 namespace gsim::simulation {
 
-/// A corner of a polyline; the style is that of the line which ends here.
+/// Corner of a polyline; the style is that of the line that ends here.
 struct PathPoint {
     Eigen::Vector2d at_mm;
     PathStyle style;

@@ -12,37 +12,37 @@
 
 namespace gsim::simulation {
 
-/// Values of the machine's axes in their order, as the axes read: mm or deg.
+/// Values of the machine's axes in their order, as displayed: mm or deg.
 using AxisVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, rrs::kMaxJoints, 1>;
 
-/// How fast a feed move goes: a speed, or a time for the whole move (inverse time feed).
+/// Speed of a feed move: a speed, or a time for the full move (inverse time feed).
 struct Feed {
-    double linear_mm_min = 0;   ///< Of the tool, where a linear axis moves.
-    double rotary_deg_min = 0;  ///< Where rotary axes alone move.
+    double linear_mm_min = 0;   ///< For the tool, if a linear axis moves.
+    double rotary_deg_min = 0;  ///< If only rotary axes move.
     std::optional<double> motion_s = {};
-    /// Where the program gives the feed, or the lead of a thread, by turns of the spindle: what it is there;
-    /// linear_mm_min is that at the speed of the spindle.
+    /// Feed or lead of a thread per turn of the spindle, if the program gives it so; linear_mm_min is the
+    /// feed at the speed of the spindle.
     std::optional<double> linear_mm_rev = {};
 };
 
-/// How the ends of moves are passed.
+/// Behaviour of the path at the ends of moves.
 struct PathPassing {
     rrs::PathMode mode = rrs::PathMode::exact_stop;
-    double tolerance_mm = 0;        ///< Of the path; 0: as the controller does.
-    double merge_tolerance_mm = 0;  ///< Of lines that are merged.
+    double tolerance_mm = 0;        ///< Path tolerance; 0: controller's default.
+    double merge_tolerance_mm = 0;  ///< Tolerance of merged lines.
 
     bool operator==(const PathPassing&) const = default;
 };
 
-/// A work coordinate system that a program selects.
+/// Work coordinate system that a program selects.
 struct WorkOffset {
     std::string name;               ///< As programs call it, without the G: "54", "59.1".
     std::map<char, double> origin;  ///< By axis letter, mm or deg, as the machine's data had it at the start.
     double rotation_deg = 0;        ///< About Z, likewise.
-    bool moved = false;             ///< The program itself has put it elsewhere since.
+    bool moved = false;             ///< The program itself has moved it since.
 };
 
-/// One move of the program in machine coordinates.
+/// Move of the program in machine coordinates.
 struct LineMove {
     MoveKind kind = MoveKind::linear;  ///< Any but an arc or a dwell.
     AxisVector target;
@@ -50,7 +50,7 @@ struct LineMove {
     Place place;
 };
 
-/// An arc in any plane, or a helix about the plane's normal.
+/// Arc in any plane, or a helix about the plane's normal.
 struct ArcMove {
     MoveKind kind = MoveKind::arc_cw;                     ///< As seen against the normal.
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< Unit, told_normal(), of X, Y and Z.
@@ -60,15 +60,16 @@ struct ArcMove {
     Feed feed;
     Place place;
 
-    /// The unit vector about which the arc runs by the right hand.
+    /// Returns the unit vector about which the arc runs by the right-hand rule.
     Eigen::Vector3d axis() const;
-    /// From the axis to a point, at right angles to it.
+    /// Returns the vector from the axis to a point, at right angles to the axis.
     Eigen::Vector3d radius_to(const Eigen::Vector3d& point_mm) const;
-    /// The length of the way between two points (of X, Y and Z), as long as its radius is that of the first.
+    /// Returns the length of the path between two points (of X, Y and Z), if the radius stays that of the
+    /// first.
     double length_mm(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) const;
 };
 
-/// An arc through a point, in any plane of space.
+/// Arc through a point, in any plane of space.
 struct ViaMove {
     AxisVector via;
     AxisVector target;
@@ -76,14 +77,14 @@ struct ViaMove {
     Place place;
 };
 
-/// Where an axis of a group goes beside a move to a pose.
+/// Target of an axis of a group during a move to a pose.
 struct GroupTarget {
     std::size_t axis = 0;
     double value = 0;  ///< mm or deg
 };
 
-/// A line of the tool's centre point in the work frame, or with a point on the way an arc; the tool turns
-/// evenly to the orientation of `target`. Axes of groups that have no target stay where they are.
+/// Line of the TCP in the work frame, or an arc if a via point is given; the tool turns evenly to the
+/// orientation of `target`. Axes of groups without a target do not move.
 struct PoseMove {
     std::optional<rrs::CartPos> via;
     rrs::CartPos target;

@@ -41,7 +41,7 @@ void EventLog::take(const motion::Segment& segment, const MoveInfo& info) {
     waiting_.erase(std::stable_partition(waiting_.begin(), waiting_.end(), waits), waiting_.end());
 }
 
-/// Drops what happens behind the end.
+/// Removes the events after the end.
 void EventLog::erase_later(double end_s) {
     const auto is_later = [end_s](const Event& event) { return event.t_s > end_s; };
     events_.erase(std::remove_if(events_.begin(), events_.end(), is_later), events_.end());

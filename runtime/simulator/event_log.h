@@ -10,24 +10,25 @@
 
 namespace gsim::simulation {
 
-/// The events of a run, with the times at which they happen. An event that does not stop the machine happens
-/// when the move behind it begins, which is known only when that move has been planned.
+/// Events of a run with their times. An event that does not stop the machine happens when the next move
+/// begins. That time is known only after that move has been planned.
 class EventLog final : public RunOutput {
   public:
-    /// Something that happens at a known time.
+    /// Adds an event at a known time.
     void add(double t_s, Event event);
-    /// Something that happens when the move with this target id, or one behind it, begins; else at the end of
-    /// the run. `with_motion`: dwells are no such move, and without one it never happens.
+    /// Adds an event that happens when the move with this target id, or a later one, begins; else at the end
+    /// of the run. `with_motion`: dwells do not count as such a move, and without a move the event never
+    /// happens.
     void add_before(rrs::TargetId id, Event event, bool with_motion = false);
 
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// The machine goes on no further than to this time: what would happen later never does.
+    /// Ends the machine's motion at this time; later events never happen.
     void end_early(double end_s);
 
     std::vector<Event> release() { return std::move(events_); }
-    /// Events past the most that a report lists.
+    /// Returns the number of events beyond the maximum that a report lists.
     std::uint64_t dropped() const { return dropped_; }
 
   private:

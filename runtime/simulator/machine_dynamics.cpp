@@ -37,7 +37,8 @@ JointDrive drive_of(const machine::Axis& axis) {
             .counterweight = axis.drive.counterweight};
 }
 
-/// Masses go with a joint, the tool or the work; what stands in the world needs no motor.
+/// Returns the link that carries the masses on a joint, the tool or the work. Returns null for a body that is
+/// fixed in the world, because it needs no motor.
 RigidBody* link_of(const machine::Machine& machine, const std::string& on, DynamicsModel& model) {
     if (on == "tool") return &model.tool;
     if (on == "work") return &model.work;
@@ -76,8 +77,8 @@ dynamics::Hose hose_of(const machine::Machine& machine, const machine::HoseTable
     return hose;
 }
 
-/// Where the peaks of motors limit accelerations each must have something to move, looked at with all axes
-/// at home.
+/// If the peaks of motors limit accelerations, each motor must have something to move. This is checked with
+/// all axes at home.
 std::optional<std::string> find_massless_axis(const machine::Machine& machine,
                                               const dynamics::Dynamics& dynamics) {
     if (!machine::is_torque_limited(machine)) return std::nullopt;

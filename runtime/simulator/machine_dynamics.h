@@ -12,13 +12,14 @@
 
 namespace gsim::simulation {
 
-/// The dynamics that a machine file describes: [dynamics], [[mass]], [[hose]], the drives of its axes and the
-/// densities of its shapes, whose meshes are read. Null where it has no [dynamics]. The error is a sentence
-/// that names the shape.
+/// Returns the dynamics that a machine file describes: [dynamics], [[mass]], [[hose]], the drives of its axes
+/// and the densities of its shapes. Reads the meshes of the shapes. Returns null if it has no [dynamics]. The
+/// error is a message that names the shape.
 tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynamics(
     const machine::Machine& machine, const cell::MeshFiles& files = {});
 
-/// What the peaks of its motors allow; null where they do not limit its accelerations. `dynamics` is its own.
+/// Returns the limits from the peaks of its motors; null if they do not limit its accelerations. `dynamics`
+/// is that of the machine.
 std::shared_ptr<const motion::MoveLimits> make_effort_limits(
     const machine::Machine& machine, std::shared_ptr<const dynamics::Dynamics> dynamics);
 

@@ -16,44 +16,46 @@ enum class MoveKind : std::uint8_t {
 };
 
 std::string_view name(MoveKind kind);
-/// The normal of a main plane about which arcs are counter-clockwise: +Z of xy, +Y of zx, +X of yz.
+/// Returns the normal of a main plane about which arcs are counter-clockwise: +Z of xy, +Y of zx, +X of yz.
 Eigen::Vector3d normal_of(Plane plane);
-/// The main plane that has this unit vector as its normal, whichever way it points; none of an oblique plane.
+/// Returns the main plane that has this unit vector as its normal, in either direction; no value for an
+/// oblique plane.
 std::optional<Plane> main_plane(const Eigen::Vector3d& normal);
-/// Of the two normals of a plane the one that is told: its greatest component is above 0. What is a main
-/// plane within rounding gets the normal of that one exactly. `axis` is of unit length.
+/// Returns the one of a plane's two normals that is reported: its largest component is above 0. A plane that
+/// is a main plane within rounding gets the exact normal of that one. `axis` is of unit length.
 Eigen::Vector3d told_normal(const Eigen::Vector3d& axis);
 
-/// A place in a source: index into the simulator's table of file names, and the line, from 1 (0: unknown).
+/// Source location: index into the simulator's table of file names, and the line, from 1 (0: unknown).
 struct Place {
     std::uint32_t file = 0;
     std::uint32_t line = 0;
 };
 
-/// What the client knows of a move besides its trajectory; waits in order for the segment with this target
-/// id.
+/// Data of the client for a move in addition to its trajectory; waits in order for the segment with this
+/// target id.
 struct MoveInfo {
     std::int64_t target_id = 0;
     MoveKind kind = MoveKind::rapid;
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of an arc: unit, told_normal(), of X, Y and Z.
-    int turns = 0;  ///< Of an arc: 1 up to a full circle, 2 for one more turn, ...
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Arc normal: unit, told_normal(), of X, Y and Z.
+    int turns = 0;  ///< Turns of an arc: 1 up to a full circle, 2 for one more turn, ...
     Place place = {};
     double feed_per_min = 0;  ///< mm/min or deg/min; no meaning in a rapid or a dwell.
     bool timed = false;       ///< A time is programmed for the move (inverse time feed), no speed.
     bool jet_on = false;
     bool feels_cell = false;     ///< A probe that the bodies of the cell end.
-    std::uint32_t switches = 0;  ///< How often the program has switched the process so far, on or off.
+    std::uint32_t switches = 0;  ///< Number of switches of the process by the program so far, on or off.
     std::uint16_t offset = 0;    ///< The work offset in force, as Simulator counts them.
-    std::uint16_t tip = 0;       ///< Of the tool in use, an index of Simulator::tips_mm().
-    motion::ObeyedOverrides obeyed = {};  ///< Of the operator's overrides.
+    std::uint16_t tip = 0;       ///< TCP of the tool in use, an index of Simulator::tips_mm().
+    motion::ObeyedOverrides obeyed = {};  ///< Active operator's overrides.
     bool follows_spindle = false;         ///< Its feed is given by turns of the spindle.
     std::uint16_t program = 0;            ///< That it is of, as Simulator counts them; 0: the main one.
-    std::uint16_t beyond = 0;  ///< A bit for each joint that it takes past its range, from the lowest on.
+    std::uint16_t beyond = 0;  ///< Bit for each joint that it moves past its range, from the lowest on.
 };
 
-/// The normal and the sense of an arc that runs by the right hand about `axis`, of any length above 0.
+/// Sets the normal and the sense of an arc that runs about `axis`, of any length above 0, by the right-hand
+/// rule.
 void set_axis(MoveInfo& info, const Eigen::Vector3d& axis);
-/// Likewise of an arc through three points. Those of a line have the normal and the sense of nothing.
+/// Sets the same for an arc through three points. Normal and sense of collinear points have no meaning.
 void set_axis(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
               const Eigen::Vector3d& end);
 

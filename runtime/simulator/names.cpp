@@ -8,9 +8,10 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kOnAxis = 1e-9;  // what rounding leaves of a unit vector beside an axis
+constexpr double kOnAxis = 1e-9;  // rounding error of a unit vector next to an axis
 
-// The axis that a vector lies closest to; of several the last one, whatever rounding makes of them.
+// Returns the axis that a vector lies closest to. If several are equally close, it is the last one, whatever
+// the rounding.
 Eigen::Index closest_axis(const Eigen::Vector3d& vector) {
     Eigen::Index closest = 2;
     for (Eigen::Index axis = 1; axis >= 0; --axis) {

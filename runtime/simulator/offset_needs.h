@@ -9,13 +9,13 @@
 
 namespace gsim::simulation {
 
-/// By how much each work offset would have to be shifted along each linear axis, so that what it has taken
-/// past ends of ranges, and out of zones to stay in, comes back.
+/// Shift of each work offset along each linear axis that would bring back its positions past ends of ranges,
+/// and out of zones to stay in.
 class OffsetNeeds {
   public:
     void add(const Violation& violation);
-    /// In whole micrometres, rounded up; nothing where no shift does it: both ends are passed, a rotary axis,
-    /// a zone that is forbidden, no work offset.
+    /// Returns the shifts in integer micrometres, rounded up. Empty if no shift helps: both ends are passed,
+    /// a rotary axis, a zone that is forbidden, no work offset.
     std::vector<OffsetShift> shifts() const;
 
   private:

@@ -9,17 +9,17 @@
 
 namespace gsim::simulation {
 
-/// The calls of programs that have not ended: now, and when a target was given whose motion is yet to come.
+/// Calls of programs that have not ended: now, and at the time of each target with pending motion.
 class OpenCalls {
   public:
-    /// A program is called, or the one called last ends, before the target `next` is given.
+    /// Records that a program is called, or the last called one ends, before the target `next` is given.
     void enter(OpenCall call, rrs::TargetId next);
     void leave(rrs::TargetId next);
-    /// No one will ask for targets before this one.
+    /// Forgets earlier calls, because no later query is for a target before this one.
     void forget_before(rrs::TargetId id);
 
     bool any() const { return innermost_ != nullptr; }
-    /// From the innermost to the first.
+    /// Returns the open calls from the innermost to the first.
     std::vector<OpenCall> now() const;
     std::vector<OpenCall> at(rrs::TargetId id) const;
 
@@ -38,7 +38,7 @@ class OpenCalls {
     static std::vector<OpenCall> list(const Open* innermost);
 
     Innermost innermost_;
-    std::deque<Since> history_;  ///< In the order of their targets; none is open before the first one.
+    std::deque<Since> history_;  ///< In the order of their targets; no call is open before the first one.
 };
 
 }  // namespace gsim::simulation

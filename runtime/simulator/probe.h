@@ -8,10 +8,10 @@
 
 namespace gsim::simulation {
 
-/// What the probes of a run feel.
+/// Configuration of what the probes of a run touch.
 struct ProbeFeels {
     enum class Kind : std::uint8_t {
-        surroundings,  ///< The cell, or where there is none, the targets of the moves.
+        surroundings,  ///< The cell or, without a cell, the targets of the moves.
         nothing,
         plane,
     };
@@ -20,23 +20,23 @@ struct ProbeFeels {
     double at_mm = 0;      ///< Machine coordinates of the tool's end, as those of zones.
 };
 
-/// A straight feed move that a signal ends.
+/// Straight feed move that a signal ends.
 struct ProbeMove {
-    /// What a script says of the signal.
+    /// Result of a script for the signal.
     enum class Answer : std::uint8_t { none_given, never, at_part };
 
     LineMove line;
     bool away = false;  ///< The signal is that contact is lost, else that it is made.
     Answer answer = Answer::none_given;
-    double part = 0;  ///< With at_part: of the way to the target, 0 to 1.
+    double part = 0;  ///< With at_part: share of the path to the target, 0 to 1.
 };
 
-/// What came of one.
+/// Result of a probing move.
 struct ProbeResult {
     bool found = false;
-    bool at_start = false;  ///< The contact was as wanted before the move, which is none then.
-    /// Axis values where the signal came, or without one where the move ended; the machine stands a little
-    /// behind, as it has to brake.
+    bool at_start = false;  ///< The contact was as wanted before the move, so the move is not made.
+    /// Axis values at the signal or, without a signal, at the end of the move. The machine stops a little
+    /// later, because it has to brake.
     AxisVector at;
 };
 

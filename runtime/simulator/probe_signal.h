@@ -8,18 +8,19 @@
 
 namespace gsim::simulation {
 
-/// The signal that ends a probing move.
+/// Signal that ends a probing move.
 class ProbeSignal {
   public:
     virtual ~ProbeSignal() = default;
-    /// Whether it is there already with the joints (mm or rad) at these values.
+    /// Returns true if the signal is already on with the joints (mm or rad) at these values.
     virtual bool is_there(const rrs::JointPos& joints) const = 0;
-    /// When it first comes in a segment, in s since its start. Segments are asked in the order of time, from
-    /// the first of the move on, up to the one in which it comes.
+    /// Returns the first time of the signal in a segment, in s since its start. Segments must be passed in
+    /// the order of time, from the first of the move on, up to the one with the signal.
     virtual std::optional<double> comes_s(const motion::Segment& segment) = 0;
 };
 
-/// Comes where a quantity that grows along the way is 0: the distance beyond a plane or a point of the way.
+/// Signal at the point where a quantity that grows along the path is 0: the distance beyond a plane or a
+/// point of the path.
 class MarkSignal final : public ProbeSignal {
   public:
     using Beyond = std::function<double(const rrs::JointPos&)>;  ///< mm or deg
@@ -32,7 +33,7 @@ class MarkSignal final : public ProbeSignal {
     Beyond beyond_;
 };
 
-/// Comes where the probe touches bodies of a cell, or ceases to.
+/// Signal when the probe begins to touch bodies of a cell, or ceases to.
 class TouchSignal final : public ProbeSignal {
   public:
     TouchSignal(cell::TouchSearch search, bool away) : search_(std::move(search)), away_(away) {}

@@ -10,30 +10,30 @@
 
 namespace gsim::simulation {
 
-/// Is told what the program asks of a Simulator, in its order and as soon as the controller has accepted it:
-/// moves as they are programmed, not as the controller rounds their corners. `from` and `at` are axis values
-/// (mm or deg) where the program has come to.
+/// Observer of what the program requests from a Simulator, in its order and as soon as the controller has
+/// accepted it. Moves are passed as programmed, not with the corners that the controller rounds. `from` and
+/// `at` are axis values (mm or deg) that the program has reached.
 class ProgramObserver {
   public:
     virtual ~ProgramObserver() = default;
-    /// About the memory that it holds of what it has been told.
+    /// Returns the approximate memory that it holds for what it has received.
     virtual std::size_t held_bytes() const { return 0; }
     /// `rotary_alone`: the feed is that of rotary axes.
     virtual void line(const AxisVector& /*from*/, const LineMove& /*move*/, bool /*rotary_alone*/) {}
     virtual void arc(const AxisVector& /*from*/, const ArcMove& /*move*/) {}
     virtual void arc(const AxisVector& /*from*/, const ViaMove& /*move*/) {}
     virtual void dwell(const AxisVector& /*at*/, double /*seconds*/) {}
-    /// `event` without its time; whether the machine comes to rest for it.
+    /// `event` has no time; `at_rest` is true if the machine stops for it.
     virtual void event(const AxisVector& /*at*/, const Event& /*event*/, bool /*at_rest*/) {}
     virtual void enter_program(const std::string& /*name*/) {}
     virtual void leave_program() {}
-    /// Motion that is told by none of the above, such as a target of the controller's services; `why` is a
-    /// sentence.
+    /// Notifies of motion that no function above covers, such as a target of the controller's services; `why`
+    /// is a message.
     virtual void untold_motion(std::string_view /*why*/) {}
 
-    // What the program selects for what follows.
+    // Selections of the program for the moves that follow.
 
-    /// The machine comes to rest before the next move.
+    /// The machine comes to a standstill before the next move.
     virtual void rest(const AxisVector& /*at*/) {}
     virtual void spindle_speed(const AxisVector& /*at*/, double /*rev_min*/) {}
     virtual void path_mode(const AxisVector& /*at*/, const PathPassing& /*passing*/) {}
@@ -43,10 +43,10 @@ class ProgramObserver {
     /// A limit of an axis's ramps, mm or deg, s.
     virtual void ramp_limit(const AxisVector& /*at*/, rrs::RampLimit /*limit*/, const machine::Axis& /*axis*/,
                             double /*value*/) {}
-    /// The machine's own limits alone.
+    /// Only the machine's own limits apply.
     virtual void no_ramp_limits(const AxisVector& /*at*/) {}
     virtual void work_offset(const WorkOffset& /*offset*/) {}
-    /// How far the machine's position is from the tool's end, which moves from here on have in them.
+    /// Distance of the machine's position from the tool's end; moves from here on include it.
     virtual void tool_offset(const Eigen::Vector3d& /*offset_mm*/) {}
 };
 

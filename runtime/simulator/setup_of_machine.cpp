@@ -6,8 +6,8 @@ namespace gsim::simulation {
 
 namespace {
 
-/// How far the radii of an arc may differ is the language's business (lua_lib/common/arcs.lua); the planner
-/// takes what a language lets through as a spiral.
+/// The language limits the difference of an arc's radii (lua_lib/common/arcs.lua). The planner accepts what a
+/// language permits as a spiral.
 constexpr double kArcTolerance_mm = 10;
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace gsim::simulation {
 
-/// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.
+/// Returns the planner's data of a machine: X, Y and Z, if they are linear, carry the tool.
 motion::PlannerSetup setup_of_machine(const machine::Machine& machine);
 
 }  // namespace gsim::simulation

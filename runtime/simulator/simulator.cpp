@@ -22,7 +22,7 @@ using rrs::Status;
 
 namespace {
 
-/// mm or deg: what rotation and scaling leave of an axis that does not move.
+/// mm or deg: rounding error of rotation and scaling for an axis that does not move.
 constexpr double kNoTravel = 1e-9;
 
 constexpr std::size_t kMaxWarnings = 1'000;
@@ -127,7 +127,8 @@ void Simulator::exact_stop_once() {
     if (observer_ != nullptr) observer_->exact_stop_once(position_);
 }
 
-/// The move as the program has it now, over what clients of the services have selected.
+/// Returns the move with the program's present settings, on top of those that clients of the services have
+/// selected.
 motion::Move Simulator::new_move(const MoveInfo& info) const {
     motion::Move move;
     move.target_id = info.target_id;
@@ -208,7 +209,7 @@ bool Simulator::finish_move(const motion::Put& put, const Place& place) {
     return true;
 }
 
-/// A target that the controller has accepted is where the program is; `tell` gets where it was before.
+/// The program is at a target as soon as the controller has accepted it; `tell` receives the position before.
 template <typename Tell>
 bool Simulator::finish_move(const motion::Put& put, const AxisVector& target, const Place& place,
                             const Tell& tell) {
@@ -219,7 +220,7 @@ bool Simulator::finish_move(const motion::Put& put, const AxisVector& target, co
     return finish_move(put, place);
 }
 
-/// The feed as reports show it; of a move with a time of its own (inverse time feed) its mean.
+/// Returns the feed for reports; for a move with a time of its own (inverse time feed) its mean.
 double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
     if (!move.feed.motion_s) return rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min;
     const double length = rotary ? (move.target - position_).norm()
@@ -285,7 +286,7 @@ bool Simulator::move(const ArcMove& move) {
                        [&](const AxisVector& from) { observer_->arc(from, move); });
 }
 
-/// X, Y and Z of axis values; 0 where the machine has no such axis.
+/// Returns X, Y and Z of axis values; 0 for an axis that the machine does not have.
 Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {

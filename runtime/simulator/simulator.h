@@ -45,212 +45,221 @@ namespace gsim::simulation {
 class AxesTimeWatch;
 class FollowingWatch;
 
-/// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
-/// services of its controller, and records what happens. Knows nothing of the language they came from.
+/// Run of one machine: accepts moves, dwells and events in the order of the program, plans them through the
+/// services of its controller, and records the result. It does not depend on the language of the program.
 ///
-/// The services that can fail return false; then alarm() says why, and the run must end.
+/// The services that can fail return false; then alarm() has the reason, and the run must end.
 class Simulator {
   public:
-    /// The machine stands at its home. Its controller is `module`, made for setup_of_machine(machine), or our
-    /// own planner. Throws std::invalid_argument where the machine cannot be planned for.
+    /// Makes a run with the machine at its home. Its controller is `module`, made for
+    /// setup_of_machine(machine), or our own planner. Throws std::invalid_argument if the planner does not
+    /// support the machine.
     Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module = {});
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
-    /// Before the first move; `output` outlives the simulator.
+    /// Adds an output, which must outlive the simulator. To be called before the first move.
     void add_output(RunOutput& output) { recorder_.add_output(output); }
-    /// Before the first move: the machine stands in this cell, which was read for it and outlives the
-    /// simulator.
+    /// Sets the cell of the machine, which was read for it and must outlive the simulator. To be called
+    /// before the first move.
     void set_cell(CellWatch& cell);
-    /// Before the first move: what probes feel. Without it they feel the cell, or where there is none, their
-    /// targets.
+    /// Sets what probes touch. To be called before the first move. By default they touch the cell or, without
+    /// a cell, their targets.
     void set_probe(const ProbeFeels& feels) { probe_feels_ = feels; }
-    /// Before the first move: what the operator turns the overrides to in the course of the run. False where
-    /// the controller is a module, which has overrides of its own.
+    /// Sets the overrides that the operator selects in the course of the run. To be called before the first
+    /// move. Returns false if the controller is a module, which has overrides of its own.
     bool set_overrides(const motion::OverrideSchedule& overrides);
-    /// Before the first move: the report tells what the motors have to do.
+    /// Sets the dynamics, so that the report has the loads of the motors. To be called before the first move.
     void set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics);
-    /// Null: none was set.
+    /// Returns null if no dynamics were set.
     const dynamics::Dynamics* dynamics() const { return dynamics_.get(); }
-    /// Before the first move: `observer`, which outlives the simulator, is told what the run asks of its
-    /// controller.
+    /// Sets an observer, which must outlive the simulator and is notified of the run's requests to its
+    /// controller. To be called before the first move.
     void observe_motion(MotionObserver& observer);
-    /// The same of one that is told what the program asks for; one at most.
+    /// Sets an observer of the program's requests in the same manner; one at most.
     void set_observer(ProgramObserver& observer);
 
-    /// What following errors come of, as long as the simulator lives; nothing where the machine does not tell
-    /// of servo loops.
+    /// Returns the setup of following errors, valid during the lifetime of the simulator; no value if the
+    /// machine file does not describe servo loops.
     std::optional<FollowingSetup> following_setup() const;
     const machine::Machine& machine() const { return machine_; }
-    /// Axis values at the end of the last move; under tool-centre-point control X, Y and Z of the tip.
+    /// Returns the axis values at the end of the last move; under TCP control X, Y and Z of the TCP.
     const AxisVector& position() const { return position_; }
-    /// Where the clock stands when all moves so far have been made: reading it brings the machine to rest.
+    /// Returns the clock after all moves so far; the query brings the machine to a standstill.
     double time_s();
-    /// Where the clock stands when what is planned has been made: less than time_s() where moves are held
-    /// back.
+    /// Returns the clock after the planned motion: less than time_s() if moves are pending.
     double planned_s() const { return motion_->time_s(); }
-    /// Up to here what looks at the motion has got it; infinite where it has got all that is planned.
+    /// Returns the time up to which the monitors have received the motion; infinite if they have received all
+    /// planned motion.
     double passed_on_s() const { return motion_->passed_on_s(); }
-    /// Where the run ends, if not before.
+    /// Returns the time at which the run ends, if not before.
     double max_time_s() const { return limits_.max_time_s; }
     std::uint64_t max_blocks() const { return limits_.max_blocks; }
 
-    /// The index for Place::file of a file name; adds it where it is new.
+    /// Returns the index for Place::file of a file name; adds a new name.
     std::uint32_t add_file(const std::string& name);
     const std::vector<std::string>& files() const { return files_; }
     const ZoneWatch& zones() const { return zones_; }
-    /// The cell that it stands in; null: none.
+    /// Returns the cell of the machine; null: no cell.
     CellWatch* cell() const { return cell_; }
-    /// The tips of the tools that moves were made with (MoveInfo::tip), in the frame of the tool centre
-    /// point.
+    /// Returns the TCPs of the tools of the moves so far (MoveInfo::tip), in the frame of the kinematics'
+    /// tool centre point.
     const std::vector<Eigen::Vector3d>& tips_mm() const { return tips_.list_mm(); }
-    /// Counts a block; false past the limit (status stopped).
+    /// Counts a block; returns false past the limit (status stopped).
     bool count_block(const Place& place);
-    /// False where the run has used up its processor time (status stopped).
+    /// Returns false if the run has used up its processor time (status stopped).
     bool has_cpu_time(const Place& place);
 
     bool move(const LineMove& move);
     bool move(const ArcMove& move);
     bool move(const ViaMove& move);
     bool move(const PoseMove& move);
-    /// A probing move: the machine comes to rest before it, and stops behind the signal as fast as its limits
-    /// allow.
+    /// Makes a probing move: the machine comes to a standstill before it, and stops after the signal as fast
+    /// as its limits permit.
     bool probe(const ProbeMove& move, ProbeResult& result);
-    /// Whether a line of the axes between two poses is none of the tool: for such machines PoseMove is made.
+    /// Returns true if a line of the axes between two poses is no line of the tool. PoseMove exists for such
+    /// machines.
     bool tip_turns() const { return motion::tip_turns(setup_, work_frames().tip_mm()); }
-    /// Tool-centre-point control (TipFrame) for the moves that follow, with a tool length offset of the
-    /// linear axes X, Y and Z in mm; none: off. The machine comes to rest; position() and all targets are
-    /// coordinates of the tip while it is on.
+    /// Sets TCP control (TipFrame) for the moves that follow, with a tool length offset of the linear axes X,
+    /// Y and Z in mm; no value: off. The machine comes to a standstill. While it is on, position() and all
+    /// targets are coordinates of the TCP.
     bool set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place);
     bool has_tip_control() const { return tip_frame_.has_value(); }
     bool dwell(double seconds, const Place& place);
-    /// The machine rests for what a word of the program has set going ([times] of the machine file). Part of
-    /// the program's time, but nothing that it asks for: the observer is not told. `key`: of the table.
+    /// Dwells for an action that a word of the program has started ([times] of the machine file). It is part
+    /// of the program's time but not a programmed dwell, so the observer is not notified. `key`: of the
+    /// table.
     bool take_time(double seconds, std::string key, const Place& place);
-    /// How the moves that follow are passed, and within what tolerances (mm; 0: as the controller does).
+    /// Sets how the moves that follow pass their ends, and the tolerances (mm; 0: controller's default).
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
-    /// The next move ends in an exact stop, whatever the mode.
+    /// Ends the next move in an exact stop, in any mode.
     void exact_stop_once();
-    /// Which overrides of the operator the program locks: the moves that follow go as if those were at 100 %.
+    /// Overrides of the operator that the program locks: the moves that follow run as if those were at 100 %.
     struct OverrideLocks {
         bool feed = false;
         bool rapid = false;
         bool spindle = false;
     };
     void lock_overrides(const OverrideLocks& locks) { locks_ = locks; }
-    /// How the moves that follow speed up and slow down; a warning where the controller has it its own way.
+    /// Sets the ramps of the moves that follow; warns if the controller uses its own.
     void set_ramps(rrs::RampMode mode);
-    /// A limit of an axis's ramps for the moves that follow, mm or deg, s; > 0. The machine's own holds, too.
+    /// Sets a limit of an axis's ramps for the moves that follow, mm or deg, s; > 0. The machine's own limit
+    /// applies, too.
     void set_ramp_limit(rrs::RampLimit limit, int axis, double value);
-    /// The machine's own limits alone.
+    /// Restores the machine's own limits.
     void reset_ramp_limits();
-    /// Limits that a program gives its path; those that are left out stay as they are.
+    /// Limits that a program sets for its path; those that are left out stay as they are.
     struct ProgrammedPathLimits {
         std::optional<double> speed_mm_s;
         std::optional<double> acceleration_mm_s2;
-        std::optional<double> square_corner_velocity_mm_s;  ///< Of the planner `klipper`, as the next one.
+        std::optional<double> square_corner_velocity_mm_s;  ///< For the planner `klipper`, as the next one.
         std::optional<double> minimum_cruise_ratio;
     };
-    /// For the moves that follow; they take the place of the machine's.
+    /// Sets limits for the moves that follow; they replace the machine's.
     void set_path_limits(const ProgrammedPathLimits& limits);
-    /// CancelMotion, as a client that steps by itself calls it: the program goes on from where it stands.
+    /// Calls CancelMotion for a client that steps by itself: the program continues from its present position.
     rrs::Status cancel_motion();
-    /// The controller waits until all moves have been made, before it reads on.
+    /// Lets the controller wait until all moves have been made, before it reads on.
     void wait();
-    /// The speed of the spindle, rev/min, for the moves that follow: moves have their feeds already, and only
-    /// the observer is told.
+    /// Sets the speed of the spindle, rev/min, for the moves that follow. Only the observer is notified,
+    /// because moves already have their feeds.
     void set_spindle_speed(double rev_min);
-    /// A work coordinate system is selected: targets are machine coordinates all the same. The
-    /// observer is told, and violations name it.
+    /// Selects a work coordinate system; targets remain machine coordinates. The observer is notified, and
+    /// violations name it.
     void select_work_offset(const WorkOffset& offset);
-    /// Targets that follow are in the frame of a conveyor, until untrack(). `direction` is in the machine's
-    /// world; the machine's frame and the conveyor's are one where its travel is 0.
+    /// Sets the targets that follow to be in the frame of a conveyor, until untrack(). `direction` is in the
+    /// machine's world; the machine's frame and the conveyor's coincide if its travel is 0.
     bool track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s, const Place& place);
     bool untrack(const Place& place);
-    /// SelectTracking, as a client calls it that defines its conveyors itself: targets of the program are in
-    /// the frame of the conveyor, or no longer.
+    /// Calls SelectTracking for a client that defines its conveyors itself: targets of the program are in the
+    /// frame of the conveyor, or no longer.
     rrs::Status select_tracking(int conveyor, bool on);
-    /// When an event happens that stands between moves.
+    /// Time of an event between moves.
     enum class When : std::uint8_t {
         at_rest,      ///< The machine stops for it.
         in_passing,   ///< As the next move or dwell begins, else at the end.
         with_motion,  ///< As the next move begins that is no dwell, else never.
     };
-    /// Something that happens after all that came before.
+    /// Adds an event that happens after everything before it.
     void event(std::string kind, std::string detail, const Place& place, When when = When::at_rest);
-    /// The machine's process (its jet, say) is on or off in the moves that follow; `with_motion`: from the
-    /// next one on that is no dwell.
+    /// Switches the machine's process (for example its jet) on or off in the moves that follow;
+    /// `with_motion`: from the next one on that is no dwell.
     void set_process(bool on, bool with_motion);
-    /// The program ends here, by a word of its own: what is on is switched off.
+    /// Ends the program here, by one of its own words: an active process is switched off.
     void end_program(const Place& place);
-    /// A warning for the report; the same text is given once.
+    /// Adds a warning to the report; the same text is added once.
     void warn(const std::string& text);
-    /// The zones of machine data hold from time 0 on. Before the first move.
+    /// Activates the zones of machine data from time 0 on. To be called before the first move.
     void watch_zones(const machine::MachineData& data);
-    /// Switches zones of machine data behind the moves so far; false where none has the number.
+    /// Switches zones of machine data after the moves so far; returns false if no zone has the number.
     bool switch_zones(int switch_number, bool on) { return zones_.switch_zones(switch_number, on, next_id_); }
-    /// The zone of the program from the moves so far on (ZoneWatch::set_programmed()).
+    /// Sets the zone of the program after the moves so far (ZoneWatch::set_programmed()).
     void set_programmed_zone(const std::optional<ZoneWalls>& walls) {
         zones_.set_programmed(walls, next_id_);
     }
-    /// How far the tool's end is from where X, Y and Z of the machine are, for zones and probes (mm).
+    /// Sets the distance of the tool's end from the position of X, Y and Z of the machine, for zones and
+    /// probes (mm).
     void set_tool_offset(const Eigen::Vector3d& offset_mm);
-    /// A program is called, or the one called last has ended: an alarm names the calls that are open.
+    /// Records that a program is called, or the last called one has ended: an alarm names the calls that are
+    /// open.
     void enter_program(std::string name, const Place& place);
     void leave_program();
-    /// The program called last is gone through once more, by the same call.
+    /// Records that the last called program runs once more, by the same call.
     void repeat_program();
-    /// The main program has come to the end of a pass.
+    /// Records that the main program has come to the end of a pass.
     void note_passes(const Passes& passes) { passes_ = passes; }
-    /// Ends the run with an alarm of the program; always false.
+    /// Ends the run with an alarm of the program; always returns false.
     bool fail(text::DiagnosticKind kind, std::string message, const Place& place);
-    /// Ends the run because of a limit; always false.
+    /// Ends the run because of a limit; always returns false.
     bool stop(text::DiagnosticKind kind, std::string message, const Place& place);
 
-    /// Axis values that bring the tool to a pose in the frames that are selected (SelectWorkFrames), nearest
-    /// to where the machine is; the error is a sentence.
+    /// Returns the axis values that bring the tool to a pose in the selected frames (SelectWorkFrames),
+    /// nearest to the position of the machine; the error is a message.
     tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose,
                                                   const std::vector<GroupTarget>& groups = {}) const;
-    /// How a group of the machine, by its index, moves beside moves to poses.
+    /// Returns how a group of the machine, by its index, moves during moves to poses.
     machine::GroupMotion group_motion(std::size_t group) const { return group_motions_[group]; }
     void set_group_motion(std::size_t group, machine::GroupMotion motion) { group_motions_[group] = motion; }
-    /// Axes of a group go by themselves, as fast as they can; the machine comes to rest before, and moves
-    /// that follow do not wait for them but where they lead these axes. One group at a time: another one
-    /// waits.
+    /// Moves axes of a group independently, as fast as they can; the machine comes to a standstill before.
+    /// Moves that follow do not wait for them, unless they move these axes themselves. One group moves at a
+    /// time: another one waits.
     bool move_group(std::size_t group, const std::vector<GroupTarget>& targets, const Place& place);
-    /// A dwell until no group goes by itself.
+    /// Dwells until no group moves independently.
     bool wait_for_groups(const Place& place);
-    /// Warns where the tool has lost a direction to move in at these axis values: some joints line up.
+    /// Warns if the tool has lost a direction of motion at these axis values, because some joints are
+    /// aligned.
     void warn_if_singular(const AxisVector& axes, const Place& place);
 
-    /// About the memory that the observer holds of the run so far.
+    /// Returns the approximate memory that the observer holds of the run so far.
     std::size_t observed_bytes() const { return observer_ == nullptr ? 0 : observer_->held_bytes(); }
     const std::optional<Alarm>& alarm() const { return alarm_; }
 
-    /// The controller's services, for clients that call them by themselves. What these select is for their
-    /// own targets; moves of the program take over what no word of a program says: accelerations, the
-    /// overrides of the services, rules for corners, exact stops and orientation.
+    /// Returns the controller's services, for clients that call them by themselves. Selections of these
+    /// clients are for their own targets. Moves of the program inherit those that no word of a program sets:
+    /// accelerations, the overrides of the services, rules for corners, exact stops and orientation.
     rrs::Shell& shell() { return motion_->shell(); }
-    /// Whether segments are samples of a motion, not the motion itself.
+    /// Returns true if segments are samples of a motion, not the motion itself.
     bool sampled() const { return motion_->sampled(); }
-    /// Joint values (mm or rad) at the last target.
+    /// Returns the joint values (mm or rad) at the last target.
     const rrs::JointPos& joints() const { return motion_->position(); }
-    /// The value of a frame of the cell; without a cell what the controller answers.
+    /// Returns the value of a frame of the cell; without a cell the controller's result.
     rrs::Status get_cell_frame(std::string_view name, rrs::CartPos& frame);
-    /// Moves a frame of the cell, or one of motion::MachineFrames, at the present place of the program: the
-    /// machine comes to rest first. The machine's own are the controller's to move; without a cell all are.
+    /// Moves a frame of the cell, or one of motion::MachineFrames, at the present point of the program. The
+    /// machine comes to a standstill first. The controller moves the machine's own frames; without a cell it
+    /// moves all.
     rrs::Status modify_cell_frame(std::string_view name, const rrs::CartPos& frame);
-    /// Whether the cell has conveyors, whose motion it has to be told.
+    /// Returns true if the cell has conveyors, so their motion must be set.
     bool has_conveyors() const { return cell_ != nullptr && cell_->has_conveyors(); }
-    /// A conveyor of the cell, by its frame's name, runs so from a time on; in the machine's world.
+    /// Sets the motion of a conveyor of the cell, by its frame's name, from a time on; in the machine's
+    /// world.
     void set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm,
                       const Eigen::Vector3d& velocity_mm_s, double time_s);
-    /// Of those, what is told so far holds up to that time: what moves later is looked at later.
+    /// Sets the time up to which the conveyor motion set so far is valid: later motion is checked later.
     void know_conveyors_until(double time_s) { cell_->know_until(time_s); }
-    /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
+    /// Sets the position at time 0 by a service; rejected later, because the machine cannot jump.
     rrs::Status set_start(const std::function<rrs::Status()>& set);
-    /// A target that such a client queues: `queue` gets its id and calls the service.
+    /// Enqueues a target of such a client: `queue` receives its id and calls the service.
     rrs::Status queue_target(MoveKind kind, const Place& place,
                              const std::function<rrs::Status(rrs::TargetId)>& queue);
 
@@ -333,9 +342,9 @@ class Simulator {
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<EffortWatch> efforts_;
-    std::unique_ptr<AxesTimeWatch> axes_time_;          ///< Where torques limit accelerations.
-    std::optional<IntervalWatch> interval_;             ///< Of a machine that is calibrated.
-    std::unique_ptr<FollowingWatch> following_;         ///< Where the machine tells of servo loops.
+    std::unique_ptr<AxesTimeWatch> axes_time_;          ///< Set if torques limit accelerations.
+    std::optional<IntervalWatch> interval_;             ///< For a calibrated machine.
+    std::unique_ptr<FollowingWatch> following_;         ///< Set if the machine has servo loops.
     std::vector<std::string> programs_{std::string()};  ///< Names that MoveInfo::program counts.
     std::vector<std::uint16_t> open_programs_;          ///< The innermost last.
     EventLog events_;
@@ -347,40 +356,41 @@ class Simulator {
     WayDeviation way_deviation_;
     WaySinks ways_;
     std::unique_ptr<MotionSource> motion_;
-    std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
+    std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 if the machine has no such axis.
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control, with this offset:
     Eigen::Vector3d tip_offset_mm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d tool_offset_mm_ = Eigen::Vector3d::Zero();
     ToolTips tips_;
     std::uint16_t tip_ = 0;  ///< In use, of these.
     ProbeFeels probe_feels_;
-    std::optional<double> solid_side_;  ///< Of the plane that probes feel: 1 above it, -1 below; once known.
+    std::optional<double> solid_side_;  ///< Side of the probed plane: 1 above it, -1 below; once known.
     AxisVector position_;
-    std::vector<machine::GroupMotion> group_motions_;  ///< Of the machine's groups, as the program has them.
-    std::vector<std::size_t> own_axes_;                ///< That may be under way by themselves.
+    std::vector<machine::GroupMotion>
+        group_motions_;                  ///< For the machine's groups, as the program has set them.
+    std::vector<std::size_t> own_axes_;  ///< Axes that may be moving independently.
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
     std::optional<Alarm> alarm_;
-    StepRanges steps_;  ///< Of a controller module.
+    StepRanges steps_;  ///< For a controller module.
     ViolationLog violations_;
-    std::vector<Violation> zone_violations_;                ///< Of the hits of zones_, in their order.
-    std::vector<std::string> work_offsets_{std::string()};  ///< Codes; the first stands for none.
+    std::vector<Violation> zone_violations_;                ///< For the hits of zones_, in their order.
+    std::vector<std::string> work_offsets_{std::string()};  ///< Codes; the first means no offset.
     std::uint16_t work_offset_ = 0;                         ///< In force.
-    rrs::JointPos move_start_;                              ///< Of the move that is given.
+    rrs::JointPos move_start_;                              ///< Start of the move being added.
     std::uint32_t axes_past_ranges_ = 0;                    ///< By targets; bit 0: the first axis.
     OpenCalls calls_;
     RunStatus status_ = RunStatus::completed;
     std::optional<Passes> passes_;
-    double words_s_ = 0;  // that take_time() has rested
+    double words_s_ = 0;  // total dwell of take_time()
     rrs::TargetId next_id_ = 1;
-    Place last_place_;  ///< Of the last move.
+    Place last_place_;  ///< Source location of the last move.
     std::uint64_t blocks_ = 0;
     double warned_feed_mm_s_ = 0;                              ///< Above the machine's.
     std::shared_ptr<const motion::ProgrammedRamps> ramps_;     ///< As the program has set them; null: not.
     std::shared_ptr<const motion::PlannerSetup> path_limits_;  ///< The same of its limits of the path.
     bool process_on_ = false;
     std::uint32_t process_switches_ = 0;
-    std::optional<bool> process_with_motion_;  ///< What it is from the next move on.
+    std::optional<bool> process_with_motion_;  ///< Value from the next move on.
     ProcessWatch process_;
     PathPassing passing_;  ///< As the program has selected it.
     bool exact_stop_once_ = false;

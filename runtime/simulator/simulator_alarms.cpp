@@ -1,4 +1,4 @@
-// How a run of Simulator ends before its program does.
+// End of a run of Simulator before its program ends.
 
 #include <string>
 #include <utility>
@@ -19,7 +19,7 @@ const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
 }
 
-/// What a refusal of the planner is about.
+/// Maps an error of the planner to its kind.
 DiagnosticKind kind_of(Status status) {
     switch (status) {
         case Status::RRS_JOINT_LIMIT: return DiagnosticKind::axis_limit;
@@ -118,20 +118,20 @@ void Simulator::watch_zones(const machine::MachineData& data) {
     }
 }
 
-/// A move that nobody expected has no place: the last one's stands for it.
+/// An unexpected move has no source location, so the last move's is used.
 const Place& Simulator::place_of(const MoveInfo& move) const {
     return move.place.line > 0 ? move.place : last_place_;
 }
 
-/// An alarm of a move under way: the machine comes there before it comes to what the program has read
-/// since, so that this alarm takes the place of another one.
+/// Raises an alarm of a move that is running. The machine reaches it before later parts of the program, so
+/// this alarm replaces another one.
 void Simulator::fail_under_way(const MoveInfo& move, DiagnosticKind kind, std::string message) {
     alarm_.reset();
     fail(kind, std::move(message), place_of(move));
     alarm_->calls = calls_.at(move.target_id);
 }
 
-/// Nothing happens behind the limit of time.
+/// Events after the time limit do not happen.
 bool Simulator::fail_in_zone() {
     const ZoneHit& hit = *zones_.hit();
     if (hit.time_s > limits_.max_time_s) return stop_for_time(recorder_.move().place);
@@ -143,7 +143,7 @@ bool Simulator::fail_in_zone() {
     return false;
 }
 
-/// Turns a refusal of the planner into an alarm in terms of the machine's axes.
+/// Converts an error of the planner into an alarm in terms of the machine's axes.
 bool Simulator::refused(const motion::PlanError& error, const Place& place) {
     if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
     if (error.joint < 0) return fail(kind_of(error.status), error.message, place);

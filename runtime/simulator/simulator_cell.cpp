@@ -1,4 +1,4 @@
-// The cell in which the machine of a Simulator stands.
+// Cell of the machine of a Simulator.
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartP
     return rrs::Status::RRS_SUCCESS;
 }
 
-/// What counts from the tool centre point goes along with it.
+/// Values relative to the tool centre point move along with it.
 void Simulator::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
     machine_frames_.set(name, frame);
     tip_changed();

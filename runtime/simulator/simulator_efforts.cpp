@@ -55,7 +55,7 @@ void Simulator::follow_servos() {
 void Simulator::add_following(Report& report) const {
     if (following_ == nullptr) return;
     report.following = following_->report();
-    if (sampled()) report.following->program.reset();  // a module tells no ways
+    if (sampled()) report.following->program.reset();  // a module reports no paths
 }
 
 std::optional<FollowingSetup> Simulator::following_setup() const {
@@ -63,7 +63,7 @@ std::optional<FollowingSetup> Simulator::following_setup() const {
     return FollowingSetup{machine_, setup_, tips_.list_mm()};
 }
 
-// Programs past the most that can be counted go as the main one.
+// Programs past the max count are recorded as the main one.
 void Simulator::open_program(const std::string& name) {
     const auto found = std::find(programs_.begin(), programs_.end(), name);
     const auto index = static_cast<std::size_t>(found - programs_.begin());

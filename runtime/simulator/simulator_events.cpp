@@ -1,4 +1,4 @@
-// What happens between the moves of a program.
+// Events between the moves of a program.
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-// Groups of axes: led by moves to poses, or by themselves.
+// Groups of axes: coordinated with moves to poses, or independent.
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ bool Simulator::wait_if_led(const AxisVector& target, const Place& place) {
     return !led || wait_for_groups(place);
 }
 
-/// An inverse that holds no joints may lead any.
+/// An inverse solution that holds no joints may move any axis.
 bool Simulator::wait_if_led(const PoseMove& move) {
     if (own_axes_.empty()) return true;
     const bool led = setup_.kinematics->held_joints().empty() ||

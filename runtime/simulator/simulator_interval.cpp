@@ -1,4 +1,4 @@
-// How sure the time of a run is.
+// Uncertainty of the time of a run.
 
 #include <fmt/format.h>
 

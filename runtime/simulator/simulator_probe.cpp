@@ -15,7 +15,7 @@ using rrs::Status;
 namespace {
 
 constexpr double kClear_mm = 1e-9;   // on the plane is not clear of it
-constexpr double kWholeWay = 1e-12;  // of a part of the way
+constexpr double kWholeWay = 1e-12;  // share of the path
 constexpr const char* kTouchesTargets =
     "probes touch at their targets, as nothing says what they meet: a cell (--cell), a plane (--probe "
     "z=-3.2), "
@@ -23,7 +23,7 @@ constexpr const char* kTouchesTargets =
 
 using SignalOrError = tl::expected<std::unique_ptr<ProbeSignal>, std::string>;
 
-/// The time of the part of a move that was made.
+/// Reduces the time to that of the part of a move that was made.
 void shorten(LineMove& move, const AxisVector& from, const AxisVector& stop) {
     const double whole = (move.target - from).norm();
     if (move.feed.motion_s && whole > 0) *move.feed.motion_s *= (stop - from).norm() / whole;
@@ -32,13 +32,13 @@ void shorten(LineMove& move, const AxisVector& from, const AxisVector& stop) {
 
 }  // namespace
 
-/// Machine coordinates of the tool's end.
+/// Returns the machine coordinates of the tool's end.
 Eigen::Vector3d Simulator::tool_end(const AxisVector& axes) const {
     return tip_frame_ ? space_point(axes) : Eigen::Vector3d(space_point(axes) - tool_offset_mm_);
 }
 
-/// None where the way does not come to the plane, of which it is not known yet what side of it is solid: that
-/// at which the first probing move that passes it goes in, or from which one goes away.
+/// Returns no signal if the path does not reach the plane before its solid side is known. That is the side
+/// that the first probing move through the plane enters, or from which one moves away.
 std::unique_ptr<ProbeSignal> Simulator::plane_signal(const ProbeMove& move) {
     const auto height = [this](const AxisVector& axes) {
         return tool_end(axes)[static_cast<Eigen::Index>(probe_feels_.axis)] - probe_feels_.at_mm;
@@ -88,7 +88,7 @@ bool Simulator::feels_cell(const ProbeMove& move) const {
            probe_feels_.kind == ProbeFeels::Kind::surroundings && has_cell();
 }
 
-/// None where no signal comes before the target.
+/// Returns no signal if it does not come before the target.
 SignalOrError Simulator::probe_signal(const ProbeMove& move) {
     if (move.answer == ProbeMove::Answer::at_part) return part_signal(move);
     if (feels_cell(move)) return cell_signal(move.away);

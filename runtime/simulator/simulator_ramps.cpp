@@ -1,4 +1,4 @@
-// How moves speed up and slow down, as a program selects it.
+// Acceleration and deceleration of moves, as a program selects it.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ bool Simulator::limits_no_jerk() const {
                        [](const machine::Axis& axis) { return std::isinf(axis.max_jerk); });
 }
 
-/// A machine file that asks for S-curves and gets none.
+/// Warns if the machine file requests S-curves and the motion has none.
 void Simulator::warn_of_jerk() {
     if (!machine_.controller.limit_jerk || sampled()) return;
     const rrs::ControllerRules& rules = machine_.controller;

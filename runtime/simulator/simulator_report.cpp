@@ -1,4 +1,4 @@
-// What a run tells of itself at its end.
+// Report of a run at its end.
 
 #include <utility>
 
@@ -12,7 +12,7 @@ Report Simulator::finish(std::string program) {
     if (status_ == RunStatus::completed) wait_for_groups(last_place_);
     motion_->end_program();
     if (motion_->fault()) refused(motion_->last_error(), last_place_);
-    if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
+    if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // including pending moves
     if (zones_.hit()) fail_in_zone();
     add_steps_past_ranges();
     if (!alarm_ && process_on_) process_.end_program(next_id_, last_place_);

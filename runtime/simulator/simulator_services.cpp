@@ -1,4 +1,4 @@
-// The controller's services beside the moves of a program.
+// Controller services in addition to the moves of a program.
 
 #include "runtime/motion_sources/observed_motion.h"
 #include "runtime/simulator/simulator.h"
@@ -49,7 +49,7 @@ void Simulator::observe_motion(MotionObserver& observer) {
     if (!overrides_.empty()) observer.untold("overrides are turned");
 }
 
-/// What is in step with the spindle by its position is deaf to the feed override.
+/// A move in step with the spindle by its position ignores the feed override.
 void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) const {
     info.follows_spindle = feed.linear_mm_rev.has_value();
     const bool in_step = info.kind == MoveKind::thread && info.follows_spindle;

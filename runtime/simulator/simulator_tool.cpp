@@ -1,4 +1,4 @@
-// Moves of the tool in the work frame: tool-centre-point control and moves to poses.
+// Moves of the tool in the work frame: TCP control and moves to poses.
 
 #include "motion/path/tool_path.h"
 #include "runtime/simulator/simulator.h"
@@ -14,7 +14,7 @@ tl::expected<TipFrame, std::string> Simulator::tip_frame_of(const Eigen::Vector3
     return TipFrame::make(setup_, to_joints(zero), machine_frames_.tool_shift().translation(), offset_mm);
 }
 
-/// The tip of the tool in use as the machine carries it, whether the program is told of the tip or not.
+/// Updates the TCP of the tool in use as the machine carries it, even if the program does not set the TCP.
 void Simulator::tip_changed() {
     const auto frame = tip_frame_of(tool_offset_mm_);
     const Eigen::Vector3d tip_mm = frame ? frame->tip_mm() : machine_frames_.tool_shift().translation();

@@ -8,7 +8,7 @@ using rrs::Status;
 
 namespace {
 
-constexpr int kConveyor = 1;  // that the program's own tracking defines; one at a time is tracked
+constexpr int kConveyor = 1;  // defined by the program's own tracking; one at a time is tracked
 
 }  // namespace
 

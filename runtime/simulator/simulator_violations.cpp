@@ -1,4 +1,4 @@
-// Past limits and zones, where a run goes on behind them.
+// Violations of limits and zones, after which a run continues.
 
 #include <algorithm>
 #include <array>
@@ -42,20 +42,20 @@ void Simulator::select_work_offset(const WorkOffset& offset) {
     if (found == work_offsets_.end()) work_offsets_.push_back(code);
 }
 
-/// What lets the move that is given now past ranges; null where nothing does.
+/// Returns the notes that let the present move pass ranges; null if moves may not.
 motion::RangeNotes* Simulator::begin_move() {
     if (limits_.stop_at_first) return nullptr;
     move_start_ = motion_->position();
     return setup_.range_notes.get();
 }
 
-/// A controller module refuses a target past a range, or goes there.
+/// A controller module rejects a target past a range, or moves there.
 motion::Planned Simulator::check_target(const rrs::JointPos& joints) const {
     if (!sampled()) return {};
     return motion::check_target_ranges(setup_, joints);
 }
 
-/// A move that leads back from past an end of a range goes no farther there.
+/// A move that leads back from past an end of a range moves no farther there.
 bool Simulator::comes_back(const motion::Excursion& excursion) const {
     const bool below = excursion.value < excursion.limit;
     const auto beyond = [&](double value) {
@@ -107,7 +107,7 @@ bool Simulator::fail_past_range(const StepPastRange& step) {
     return false;
 }
 
-/// A target past a range takes the steps there with it, and is known by itself.
+/// The steps to a target past a range belong to that target, which is recorded by itself.
 void Simulator::add_steps_past_ranges() {
     for (const StepPastRange& step : steps_.found()) {
         if (limits_.stop_at_first) {
@@ -124,7 +124,7 @@ void Simulator::add_steps_past_ranges() {
     }
 }
 
-/// Where the tool begins to break a zone's rule; how far it goes is known later.
+/// Records the point at which the tool begins to violate a zone's rule; the depth is known later.
 void Simulator::add_zone_violation(const ZoneHit& hit) {
     const MoveInfo& move = recorder_.move();
     zone_violations_.push_back({.t_s = hit.time_s,

@@ -17,8 +17,8 @@ double off_square(const Eigen::Matrix3d& directions) {
     return (directions.transpose() * directions - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
-/// Square directions for a machine whose slides are not quite so: that of X as it is, that of Y in the plane
-/// of both. A control that knows where its slides really go has programs written so.
+/// Returns square directions for a machine with slides that are not quite square: X as it is, Y in the plane
+/// of both. A controller that knows the true directions of its slides expects programs written so.
 Eigen::Matrix3d made_square(const Eigen::Matrix3d& directions) {
     Eigen::Matrix3d square;
     square.col(0) = directions.col(0).normalized();

@@ -10,11 +10,11 @@
 
 namespace gsim::simulation {
 
-/// The tips of tools that a run has used, each once, so that a move names its own by a small number.
+/// TCPs of the tools that a run has used, each once, so that a move refers to its own by a small number.
 class ToolTips {
   public:
-    /// Number of a tip, as seen from the tool centre point of the kinematics (mm). Past 65,536 of them, which
-    /// only a script can think of, new ones count as the last.
+    /// Returns the number of a TCP, relative to the tool centre point of the kinematics (mm). After 65,536 of
+    /// them, which only a script can produce, new ones count as the last.
     std::uint16_t number(const Eigen::Vector3d& tip_mm) {
         constexpr std::size_t kMost = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
         const Key key{tip_mm.x(), tip_mm.y(), tip_mm.z()};

@@ -11,26 +11,26 @@
 
 namespace gsim::studio {
 
-/// How an answer ends: "done", or "failed" with the failure.
+/// End of a response: "done", or "failed" with the error.
 using Done = tl::expected<void, engine::Failure>;
 
-/// Answers a request by messages, all but the last. `own`: the keys that are not those of `request`, to be
-/// refused by name where they are not known (keys.h).
+/// Function that responds to a request by messages, all but the last. `own`: the keys that are not those of
+/// `request`; unknown ones are rejected by name (keys.h).
 using Answer = Done (*)(const nlohmann::json& own, const engine::Request& request, const Post& post);
 
-/// What is asked for is wrong, in a sentence.
+/// Returns the error of an invalid request, with a message.
 engine::Failure usage_failure(std::string sentence);
-/// That all keys were such as may be.
+/// Checks that all keys were allowed.
 Done end_of(Keys& keys);
 
-// Of a program.
+// Requests for a program.
 Done answer_run(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_check(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_translate(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_envelope(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_languages(const nlohmann::json& own, const engine::Request& request, const Post& post);
 
-// Of forms.
+// Requests for forms.
 Done answer_data(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_contours(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_drawing(const nlohmann::json& own, const engine::Request& request, const Post& post);

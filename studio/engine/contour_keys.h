@@ -8,10 +8,10 @@
 
 namespace gsim::studio {
 
-/// Where faces of a part may look to.
+/// Directions that faces of a part may have.
 inline constexpr std::array kContourSides{"x", "y", "z", "-x", "-y", "-z"};
 
-/// Takes what "contours" of a request says, {"kind": "holes", "side": "z"}, where it is there.
+/// Reads "contours" of a request, {"kind": "holes", "side": "z"}, if it exists.
 void take_contours(Keys& keys, std::optional<engine::SurfaceChoice>& surface);
 
 }  // namespace gsim::studio

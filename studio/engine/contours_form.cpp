@@ -1,4 +1,4 @@
-// The contours of a part that could be cut, for a person to choose from.
+// Lists the contours of a part that could be cut, for a user to choose from.
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// Machine data in a form: all sections with their fields, and changes of entries.
+// Shows machine data in a form: all sections with their fields, and changes of entries.
 
 #include <array>
 #include <optional>
@@ -68,7 +68,7 @@ void take_unit(Keys& keys, std::optional<LengthUnit>& unit) {
     if (index) unit = *index == 0 ? LengthUnit::mm : LengthUnit::inch;
 }
 
-/// FIELD=VALUE for each.
+/// Returns FIELD=VALUE for each.
 std::vector<std::string> take_values(Keys& keys) {
     std::vector<std::string> changes;
     keys.need("values");

@@ -1,4 +1,4 @@
-// From a drawing to the path that a jet cuts it out by, and the materials that there are.
+// Converts a drawing to a cutting path, and lists the available materials.
 
 #include <array>
 #include <string>

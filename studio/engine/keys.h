@@ -13,22 +13,22 @@
 
 namespace gsim::studio {
 
-/// A value in a message: a number as it is; of what may be of any length and depth the kind alone.
+/// Formats a value for a message: a number as it is; for values of any length and depth only their type.
 std::string shown(const nlohmann::json& value);
 
-/// Takes the values of an object by their keys, each of one type. A key that is not there leaves its place
-/// alone. The first fault is kept, and end() tells it: a sentence that names the key.
+/// Reader of the values of an object by their keys, each of one type. A missing key leaves its variable
+/// unchanged. The first error is kept, and end() returns it: a message that names the key.
 class Keys {
   public:
-    /// `of`: whose keys these are, "data". `object` may be anything, and outlives this.
+    /// `of`: owner of the keys, "data". `object` may be anything, and outlives this.
     Keys(const nlohmann::json& object, std::string of);
 
     void text(const char* key, std::string& place);
-    /// A text that has to be there.
+    /// Reads a required text.
     void needed_text(const char* key, std::string& place);
-    /// One of several words; the place gets its index.
+    /// Reads one of several words; `place` gets its index.
     void word(const char* key, std::span<const char* const> words, std::optional<std::size_t>& place);
-    /// A number from `least` to `most`.
+    /// Reads a number from `least` to `most`.
     void number(const char* key, double least, double most, double& place);
     void number(const char* key, double least, double most, std::optional<double>& place);
     void whole(const char* key, int least, int most, std::optional<int>& place);
@@ -36,20 +36,20 @@ class Keys {
     void truth(const char* key, std::optional<bool>& place);
     void texts(const char* key, std::vector<std::string>& place);
     void numbers(const char* key, double least, double most, std::vector<double>& place);
-    /// Three numbers, each from `least` to `most`.
+    /// Reads three numbers, each from `least` to `most`.
     void point(const char* key, double least, double most, std::array<double, 3>& place);
     void point(const char* key, double least, double most, std::optional<std::array<double, 3>>& place);
-    /// A list, or an object; null: it is not there.
+    /// Returns a list, or an object; null: it is missing.
     const nlohmann::json* list(const char* key);
     const nlohmann::json* object(const char* key);
-    /// A value of any type; null: it is not there.
+    /// Returns a value of any type; null: it is missing.
     const nlohmann::json* any(const char* key);
-    /// That a key has to be there.
+    /// Requires a key.
     void need(const char* key);
-    /// Another fault.
+    /// Adds another error.
     void fault(std::string sentence);
 
-    /// The first fault of all, or a key that was not asked for.
+    /// Returns the first error of all, or that of an unexpected key.
     tl::expected<void, std::string> end();
 
   private:

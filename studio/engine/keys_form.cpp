@@ -1,4 +1,4 @@
-// The keys of files of which forms are made.
+// Lists the keys of files from which forms are made.
 
 #include <array>
 #include <optional>

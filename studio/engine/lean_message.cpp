@@ -31,14 +31,14 @@ std::size_t header_size(std::string_view message) {
     return size;
 }
 
-/// The header of a message of segments; null of another one.
+/// Returns the header of a message of segments; null for another message.
 json segments_header(std::string_view message) {
     json header = text::try_parse_json<json>(message.substr(kHead, header_size(message)));
     if (!header.is_object()) throw std::invalid_argument("a message has no header");
     return header.value("is", "") == "segments" ? header : json();
 }
 
-/// Columns by their names, where they lie in the message.
+/// Columns by their names, at their position in the message.
 class Columns {
   public:
     Columns(std::string_view message, const json& header) {
@@ -62,20 +62,21 @@ class Columns {
     std::map<std::string, std::string_view> columns_;
 };
 
-// The upper half of an entry of vertex_segment.
+// The appearance uses the upper half of an entry of vertex_segment.
 constexpr std::size_t kMostSegments = std::size_t{1} << 16U;
 constexpr int kSpeedsPerOctave = 8;
 constexpr int kOneMmPerSecond = 17;
 constexpr int kMostSpeed = 127;
 
-/// The mean speed along the path in steps of an eighth of an octave, as a page draws it; 0: nothing moves.
+/// Returns the mean speed along the path in steps of an eighth of an octave, as a page draws it; 0: no
+/// motion.
 std::uint32_t speed_code(double length_mm, double duration_s) {
     if (!(length_mm > 0 && duration_s > 0)) return 0;
     const double steps = std::round(kSpeedsPerOctave * std::log2(length_mm / duration_s)) + kOneMmPerSecond;
     return static_cast<std::uint32_t>(std::clamp(steps, 1.0, static_cast<double>(kMostSpeed)));
 }
 
-/// What is drawn of each segment: move, limit, process and mean speed, in bits 16 to 31.
+/// Returns the appearance of each segment: move, limit, process and mean speed, in bits 16 to 31.
 std::vector<std::uint32_t> looks_of(const Columns& columns) {
     const auto flags = columns.get<std::uint32_t>("flags");
     const auto length_mm = columns.get<double>("length_mm");
@@ -89,8 +90,8 @@ std::vector<std::uint32_t> looks_of(const Columns& columns) {
     return looks;
 }
 
-/// Times of vertices since the message's start: on the clock of the run 32 bits tell no two blocks of a long
-/// one apart.
+/// Returns the times of vertices since the message's start. On the clock of a long run 32 bits cannot
+/// distinguish two blocks.
 std::vector<float> times_of(const Columns& columns) {
     const auto start_s = columns.get<double>("start_s");
     const auto duration_s = columns.get<double>("duration_s");
@@ -100,7 +101,7 @@ std::vector<float> times_of(const Columns& columns) {
     times.reserve(vertex_s.size());
     for (std::size_t i = 0; i < vertex_s.size(); ++i) {
         const std::size_t segment = segments[i];
-        if (segment >= start_s.size()) {  // nothing moves
+        if (segment >= start_s.size()) {  // no motion
             times.push_back(0);
             continue;
         }
@@ -113,8 +114,8 @@ std::vector<float> times_of(const Columns& columns) {
     return times;
 }
 
-/// Stretches of segments of one file whose lines go on by the same step: for each its first segment, the
-/// file, the first line and the step (modulo 2^32).
+/// Returns stretches of segments of one file with lines that advance by the same step: for each its first
+/// segment, the file, the first line and the step (modulo 2^32).
 std::vector<std::uint32_t> lines_of(const Columns& columns) {
     const auto line = columns.get<std::uint32_t>("line");
     const auto file = columns.get<std::uint32_t>("file");

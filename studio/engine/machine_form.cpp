@@ -1,4 +1,4 @@
-// The check of a machine and its cell, or all that is wrong with their files.
+// Checks a machine and its cell, or lists all errors of their files.
 
 #include <utility>
 

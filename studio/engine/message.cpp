@@ -7,7 +7,7 @@
 
 namespace gsim::studio {
 
-// Columns are looked at where they lie, here and in a page, whose machine has the little end first as well.
+// Columns are read without a copy, here and in a page on a computer that is little-endian as well.
 static_assert(std::endian::native == std::endian::little);
 
 namespace {

@@ -9,11 +9,11 @@
 
 namespace gsim::studio {
 
-/// What the engine tells a page: a header in JSON, and columns of numbers behind it that a page looks at
-/// where they lie. docs/studio.md has the layout.
+/// Message of the engine to a page: a header in JSON, followed by columns of numbers that a page reads
+/// without a copy. docs/studio.md has the layout.
 class Message {
   public:
-    /// `is`: what it tells, "segments".
+    /// `is`: its type, "segments".
     explicit Message(const char* is) : header_{{"is", is}} {}
 
     nlohmann::ordered_json& header() { return header_; }
@@ -24,9 +24,8 @@ class Message {
         put(name, "u8", std::span<const char>(bytes.data(), bytes.size()));
     }
 
-    /// As bytes: their number and that of the header's (both 32 bits, little end first), the header, and each
-    /// column; header and columns begin at multiples of 8. Throws std::length_error
-    /// past 4 GB.
+    /// Returns the bytes: their number and that of the header's (both 32 bits, little-endian), the header,
+    /// and each column; header and columns begin at multiples of 8. Throws std::length_error past 4 GB.
     std::string bytes() const;
 
   private:

@@ -1,4 +1,4 @@
-// Where a machine stands: by its axes or by its tip, and what it touches there.
+// Computes the pose of a machine, by its axes or by its TCP, and its contacts there.
 
 #include <utility>
 

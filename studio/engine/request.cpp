@@ -69,7 +69,7 @@ constexpr std::array kSwitches = {
     SwitchKey{"block_delete", &Request::block_delete}, SwitchKey{"optional_stop", &Request::optional_stop},
     SwitchKey{"explain", &Request::explain}};
 
-/// The row of a key; null: there is none.
+/// Returns the row of a key; null: not found.
 template <typename Rows>
 const auto* row_of(const Rows& rows, const std::string& key) {
     for (const auto& row : rows) {

@@ -10,14 +10,14 @@
 
 namespace gsim::studio {
 
-/// A run as a page asks for it (docs/studio.md has the keys), `do` left out. The error is a sentence that
+/// Reads a page's request for a run (docs/studio.md has the keys), without `do`. The error is a message that
 /// names the key.
 tl::expected<engine::Request, std::string> run_request(const nlohmann::json& asked);
 
-/// What forms have of it: takes machine, machine data and cell out of what an object asks.
+/// Reads the part that forms use: takes machine, machine data and cell out of the object's keys.
 tl::expected<engine::Request, std::string> form_request(nlohmann::json& asked);
 
-/// A translation of the same program, as far as that is asked for.
+/// Returns a translation request for the same program, as far as it contains one.
 engine::TranslationRequest translation_request(const engine::Request& run);
 
 }  // namespace gsim::studio

@@ -21,7 +21,7 @@ Done translate(const engine::Request& request, bool wants_script, const Post& po
     if (!translation) return tl::unexpected(translation.error());
     if (auto made = translation->make([&post](const engine::Diagnostic& told) { post_told(told, post); });
         !made) {
-        if (made.error().in_program) return {};  // the page has been told what is wrong
+        if (made.error().in_program) return {};  // the page already has the error
         return made;
     }
     if (!wants_script) return {};

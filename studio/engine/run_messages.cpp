@@ -14,7 +14,7 @@ using engine::Run;
 using Done = tl::expected<void, engine::Failure>;
 using Json = nlohmann::ordered_json;
 
-/// Bodies stay as they are: their surfaces are told once.
+/// Bodies do not change, so their surfaces are sent once.
 enum class Meshes { with, without };
 
 const char* name_of(engine::Severity severity) {
@@ -26,7 +26,7 @@ const char* name_of(engine::Severity severity) {
     return "";
 }
 
-/// The scene, which is what is told of it.
+/// Sends the scene, and returns the data sent.
 tl::expected<Json, engine::Failure> post_scene(const Run& run, std::size_t robot, Meshes meshes,
                                                const Post& post) {
     const auto scene = run.scene(robot);

@@ -25,7 +25,7 @@ Json channel(const char* of, std::size_t axis) {
     return {{"of", of}, {"axis", axis}};
 }
 
-/// Axes whose motor brings up less at some speeds than at others.
+/// Returns axes with a motor that delivers less at some speeds than at others.
 std::vector<std::size_t> fading(const Json& axes) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -38,7 +38,7 @@ std::span<const float> row(const std::vector<float>& all, std::size_t width, std
     return std::span(all).subspan(at * width, width);
 }
 
-/// Of what a motor has; where it has nothing no share is told.
+/// Returns the share of a motor's peak effort; without a peak it is not reported.
 float share(float effort, float peak) {
     return peak > 0 ? effort / peak : kNotTold;
 }

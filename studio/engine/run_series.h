@@ -10,13 +10,13 @@
 
 namespace gsim::studio {
 
-/// What a run has over time beside its segments: what the motors bring up where the machine file tells of
-/// masses, and following and contour errors where it tells of servo loops.
+/// Curves of a run over time in addition to its segments: efforts of the motors if the machine file defines
+/// masses, and following and contour errors if it defines servo loops.
 class RunSeries {
   public:
-    /// Between prepare() and go(), of a robot with its scene. This must outlive the motion.
+    /// Connects to a robot with its scene, between prepare() and go(). This must outlive the motion.
     void take(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& scene);
-    /// Behind go().
+    /// Sends the curves after go().
     void post(const Post& post) const;
 
   private:

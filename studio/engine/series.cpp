@@ -9,17 +9,17 @@ namespace gsim::studio {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kShortest_s = 1e-3;  // of a run whose instants are too many
+constexpr double kShortest_s = 1e-3;  // for a run with too many instants
 
 using Values = std::span<const float>;
 
-/// Values between two instants, at a share of the way.
+/// Interpolates values between two instants, at a share of the interval.
 void mix(Values from, Values to, double share, std::vector<float>& mixed) {
     for (std::size_t i = 0; i < mixed.size(); ++i)
         mixed[i] = std::lerp(from[i], to[i], static_cast<float>(share));
 }
 
-/// Two steps become one.
+/// Merges each two steps into one.
 template <typename Better>
 void join(std::vector<float>& steps, std::size_t width, const Better& better) {
     const std::size_t count = steps.size() / width;
@@ -64,8 +64,8 @@ void Series::widen_steps() {
     join(high_, width_, [](float a, float b) { return std::fmax(a, b); });
 }
 
-/// What a straight line from one instant to the next comes to within each step. Without a value at one of its
-/// ends there is none between them.
+/// Extends each step by the range of a straight line from one instant to the next. If a value is missing at
+/// one end, none exist between.
 void Series::cover(double from_s, Values from, double to_s, Values to) {
     while (step_at(to_s) >= most_steps()) widen_steps();
     const std::size_t first = step_at(from_s);

@@ -8,22 +8,22 @@
 
 namespace gsim::studio {
 
-/// Curves over time, straight between instants, in so much memory whatever the length of the run: the
-/// instants as they come, and where those are too many the lowest and the highest values within steps of time
-/// that are all as long, so that no peak is lost.
+/// Curves over time, linear between instants, in limited memory for any length of the run. It stores the
+/// instants as they come. If those are too many, it stores the minimum and maximum values within steps of
+/// equal length, so that no peak is lost.
 class Series {
   public:
     static constexpr std::size_t kMostInstants = 65'536;
 
-    /// Of so many values at each instant. `most_instants`: an even number, 4 at least.
+    /// Creates a series of so many values at each instant. `most_instants`: an even number, 4 at least.
     explicit Series(std::size_t width, std::size_t most_instants = kMostInstants)
         : width_(width), most_(most_instants) {}
 
-    /// An instant not before the last one, and not before 0. NaN: there is no value.
+    /// Adds an instant not before the last one, and not before 0. NaN: no value.
     void add(double t_s, std::span<const float> values);
     bool empty() const { return last_.empty(); }
 
-    /// As columns of a message (docs/studio.md).
+    /// Adds the series as columns of a message (docs/studio.md).
     void put(Message& message) const;
 
   private:

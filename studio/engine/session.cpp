@@ -20,10 +20,10 @@ namespace {
 using engine::Failure;
 using nlohmann::json;
 
-/// Which keys a request has beside its own: all of a run, or what forms need of it.
+/// Common keys of a request in addition to its specific ones: all of a run, or those that forms need.
 enum class Common : std::uint8_t { of_run, of_form };
 
-/// What a page can ask for.
+/// Kind of request that a page can send.
 struct Row {
     const char* word;
     Common common;
@@ -69,7 +69,7 @@ Done answer(json asked, const engine::Host& host, const Post& post) {
     return row->answer(asked, *request, post);
 }
 
-/// Names in a sentence may have any characters; the sentence stays one line.
+/// Keeps a message on one line, because names in it may contain any characters.
 std::string one_line(const std::string& sentence) {
     std::string line;
     for (const char c : sentence) {
@@ -80,7 +80,7 @@ std::string one_line(const std::string& sentence) {
     return line;
 }
 
-/// The last message.
+/// Sends the last message.
 void end(const Done& done, const Post& post) {
     Message message(done ? "done" : "failed");
     if (!done) {
@@ -92,7 +92,7 @@ void end(const Done& done, const Post& post) {
     post(message.bytes());
 }
 
-/// What an answer throws is a failure of it: a lack of memory, say.
+/// Converts an exception of a handler, such as a lack of memory, to an error.
 template <typename Work>
 Done guarded(const Work& work) {
     try {

@@ -7,9 +7,9 @@
 
 namespace gsim::studio {
 
-/// Does what a page asks for, in JSON: `do` is "run", "check", "translate" and so on (docs/studio.md). All
-/// that there is to tell is posted, "done" or "failed" the last. Throws what `post` throws, and where there
-/// is no memory for the last message.
+/// Processes a page's request, in JSON: `do` is "run", "check", "translate" and so on (docs/studio.md). Posts
+/// all results, "done" or "failed" last. Throws exceptions of `post`, and if the last message does not fit
+/// into memory.
 void serve(std::string_view asked, const engine::Host& host, const Post& post);
 
 }  // namespace gsim::studio

@@ -1,4 +1,4 @@
-// Machines, cells and controllers in forms: files of TOML that people wrote, and changes of them.
+// Machines, cells and controllers in forms: hand-written TOML files, and changes of them.
 
 #include <string>
 

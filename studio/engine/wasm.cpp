@@ -1,4 +1,4 @@
-// The engine in a page's worker: one function for what is asked, two of the page's that it calls.
+// Engine in a page's worker: exports one function for requests, and calls two functions of the page.
 
 #include <cstdlib>
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "studio/engine/session.h"
 
-// The page's answer lies in memory that it took by malloc(); 0: there is no such file.
+// The page allocates its response by malloc(); 0: the file does not exist.
 EM_JS(char*, studio_read, (const char* name, double* size), {
     const bytes = Module["readFile"](UTF8ToString(name));
     if (!bytes) return 0;

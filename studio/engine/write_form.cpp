@@ -1,4 +1,4 @@
-// A path file as a part program.
+// Writes a path file as a part program.
 
 #include <array>
 #include <map>
@@ -55,7 +55,7 @@ tl::expected<PathRequest, engine::Failure> path_request(const json& own) {
     return end_of(keys).map([&] { return std::move(request); });
 }
 
-/// Opened, read and planned, so that writing cannot fail.
+/// Opens, reads and plans the path first, so that writing cannot fail.
 tl::expected<engine::PathTranslation, engine::Failure> planned(PathRequest request) {
     auto path = engine::PathTranslation::open(std::move(request));
     if (!path) return path;

@@ -23,7 +23,8 @@ void tell(const std::string& what, int error) {
                  std::generic_category().message(error).c_str());
 }
 
-/// Its folder is the user's own where there is one, else one for all, in which the file is the user's own.
+/// Returns a file in the user's own folder if it exists, else in the shared one; there only the file belongs
+/// to the user.
 std::string name_of_file() {
     const char* const own = std::getenv("XDG_RUNTIME_DIR");
     std::error_code ignored;
@@ -61,7 +62,7 @@ std::optional<BrowserPage> BrowserPage::open(const std::string& address) {
     os::SpawnActions actions;
     actions.read_nothing(STDIN_FILENO);
     actions.redirect(STDERR_FILENO, STDOUT_FILENO);  // standard output has the address alone
-    // Ctrl+C in the terminal ends this server, and not the person's browser.
+    // A separate process group: Ctrl+C in the terminal ends this server, but not the user's browser.
     if (const auto begun = os::spawn({"xdg-open", name}, actions, os::ProcessGroup::own); !begun) {
         tell("xdg-open cannot be begun", begun.error());
         return std::nullopt;

@@ -7,12 +7,12 @@
 
 namespace gsim::studio {
 
-/// A page for the system's browser that leads on to an address. A browser gets the name of a file that no
-/// other user may read, since all users see with what arguments programs are begun, and the address has the
-/// token. Goes with this object.
+/// Page that redirects the system's browser to an address. The browser gets the name of a file that no other
+/// user may read. All users can see the arguments of programs, and the address contains the token. The file
+/// is removed with this object.
 class BrowserPage {
   public:
-    /// Nothing where no file can be made, or no browser begun: a line on standard error says so.
+    /// Returns no page if no file can be created, or no browser started; a line on standard error reports it.
     static std::optional<BrowserPage> open(const std::string& address);
 
   private:

@@ -11,9 +11,9 @@ namespace gsim::studio {
 
 namespace {
 
-/// Between looks whether those that were ended have gone.
+/// Interval of checks for closed connections.
 constexpr std::chrono::milliseconds kLook{50};
-/// A page's request is whole in less.
+/// A complete request of a page takes less.
 constexpr std::chrono::milliseconds kWhile{500};
 
 }  // namespace
@@ -41,7 +41,7 @@ void Connections::Entry::finish() {
     admitted_ = false;
 }
 
-// Their threads notice, and close them.
+// The threads of the connections notice it, and close them.
 void Connections::end_waiting() {
     const auto late = std::chrono::steady_clock::now() - kWhile;
     for (const Waiting& each : waiting_) {
@@ -88,7 +88,7 @@ void ConnectionThreads::enqueue(std::function<void()> answer) {
             connections_.gone();
         }).detach();
     } catch (const std::system_error&) {
-        // There is no further thread to be had: who waits is answered by this one.
+        // If no further thread is available, this thread handles the connection.
         answer();
         connections_.gone();
     }

@@ -11,9 +11,8 @@
 
 namespace gsim::studio {
 
-/// All connections that are open, so that those which ask for nothing do not keep others out: where there is
-/// no room for a further one, those that have waited for a while without a whole request are ended, and the
-/// one that has waited longest in any case.
+/// All open connections. Idle ones must not keep others out. If the limit is reached, those that have waited
+/// for a while without a complete request are ended. The one that has waited longest is ended in any case.
 class Connections {
   public:
     explicit Connections(std::size_t most) : most_(most) {}
@@ -23,16 +22,17 @@ class Connections {
         std::chrono::steady_clock::time_point since;
     };
 
-    /// One of them, from its beginning to its end.
+    /// One connection, from its beginning to its end.
     class Entry {
       public:
         Entry(Connections& all, int socket);
         Entry(const Entry&) = delete;
         Entry& operator=(const Entry&) = delete;
         ~Entry();
-        /// It has asked for something that is answered: it stays.
+        /// Marks the request as accepted: the connection stays open.
         void admit();
-        /// It has its answer, and is ended as those that wait where there is no room for others.
+        /// Marks the response as complete: the connection may be ended like waiting ones if others need its
+        /// slot.
         void finish();
 
       private:
@@ -41,12 +41,12 @@ class Connections {
         bool admitted_ = false;
     };
 
-    /// Waits until there is room for a further one. False: end() has been called.
+    /// Waits until a further connection fits. False: end() has been called.
     bool make_room();
-    /// Counts a further one; each needs gone() at its end.
+    /// Counts a further connection; each needs gone() at its end.
     void came();
     void gone();
-    /// Ends those that wait, and no further one comes. Returns when all have gone.
+    /// Ends waiting connections and admits no further one. Returns after all have ended.
     void end();
 
   private:
@@ -57,11 +57,11 @@ class Connections {
     std::condition_variable changed_;
     std::size_t count_ = 0;
     bool ended_ = false;
-    std::list<Waiting> waiting_;   // those without a whole request, or answered: the oldest first
+    std::list<Waiting> waiting_;   // those without a complete request, or already served: the oldest first
     std::list<Waiting> admitted_;  // the others
 };
 
-/// A thread for each connection, as cpp-httplib asks for one.
+/// Thread for each connection, as cpp-httplib requires.
 class ConnectionThreads final : public httplib::TaskQueue {
   public:
     explicit ConnectionThreads(Connections& connections) : connections_(connections) {}

@@ -25,7 +25,8 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// What is asked, as a file in memory: a process that reads slowly holds nobody up. Or errno.
+/// Returns a request as a file in memory, so that a slow reader does not block other code. The error is
+/// errno.
 tl::expected<os::Descriptor, int> file_of(std::string_view text) {
     os::Descriptor file(::memfd_create("asked", MFD_CLOEXEC));
     if (file.number() < 0) return tl::unexpected(errno);

@@ -12,12 +12,13 @@
 
 namespace gsim::studio {
 
-/// The engine at work on one thing that a page asks for, in a process of its own: it may be ended at any
-/// instant, and what it does not survive the server does. Goes with this object, at once.
+/// Process of the engine for one request of a page. It may be ended at any instant, and the server survives
+/// its crash. It ends with this object, at once.
 class EngineProcess {
   public:
-    /// `command` reads what is asked from its standard input, and writes messages (docs/studio.md) to its
-    /// standard output. `kept`: a file that it has as descriptor 3; -1: none. The error is a sentence.
+    /// Starts `command`, which reads the request from its standard input, and writes messages
+    /// (docs/studio.md) to its standard output. `kept`: a file that it gets as descriptor 3; -1: none. The
+    /// error is a message.
     static tl::expected<EngineProcess, std::string> begin(const std::vector<std::string>& command,
                                                           std::string_view asked, int kept = -1);
     static constexpr int kKeptDescriptor = 3;
@@ -25,10 +26,9 @@ class EngineProcess {
     EngineProcess& operator=(EngineProcess&&) = delete;
     ~EngineProcess();
 
-    /// Waits for what it writes: a piece of it; nothing is there where it is empty, and the end where it is
-    /// nothing.
+    /// Waits for output and returns a part of it; an empty text: no output yet, no value: the end.
     std::optional<std::string> read(int longest_wait_ms);
-    /// Behind the end: why it did not do all, as a sentence; empty: it did.
+    /// Returns after the end a message why the process failed; empty: it succeeded.
     std::string fault();
 
   private:

@@ -47,7 +47,7 @@ void answer_fault(httplib::Response& response, const FolderFault& fault) {
     answer_json(response, status_of(fault.kind), answer);
 }
 
-/// The version that is replaced, empty of a new file; nothing where the request does not say.
+/// Returns the version to replace, empty for a new file; no value if the request does not name it.
 std::optional<ContentTag> version_of(const httplib::Request& request) {
     if (request.get_header_value("If-None-Match") == "*") return ContentTag();
     const std::string tag = request.get_header_value("If-Match");
@@ -55,7 +55,7 @@ std::optional<ContentTag> version_of(const httplib::Request& request) {
     return tag.substr(1, tag.size() - 2);
 }
 
-/// What is asked for: of the answer before; nothing where it is no number.
+/// Returns the requested starting point, from the previous response; no value if it is no number.
 std::optional<std::uint64_t> since_of(const httplib::Request& request) {
     const std::string text = request.get_param_value("since");
     std::uint64_t at = 0;

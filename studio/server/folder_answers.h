@@ -7,8 +7,8 @@
 
 namespace gsim::studio {
 
-/// What a page asks of the folder that is served: which files there are, their bytes, what other programs
-/// change, and saving (docs/studio.md). Calls may come from several threads.
+/// Handler of a page's requests for the served folder: list of files, their bytes, changes by other programs,
+/// and saving (docs/studio.md). Calls may come from several threads.
 class FolderAnswers {
   public:
     explicit FolderAnswers(const os::BoundFolder& folder) : folder_(folder), changes_(folder) {}

@@ -18,7 +18,7 @@ ChangesAnswer FolderChanges::since(std::optional<std::uint64_t> at) {
     return answer;
 }
 
-// Who asks while another one walks is told what is known by then.
+// A caller during the walk of another thread gets the state known by then.
 void FolderChanges::walk_when_due() {
     const auto is_due = [this] {
         const std::lock_guard lock(mutex_);
@@ -67,7 +67,7 @@ void FolderChanges::take(const std::vector<os::FoundFile>& found, bool is_cut) {
     for (auto each = files_.begin(); each != files_.end();) {
         auto& [name, state] = *each;
         const bool was_there = state.tag && names.count(name) == 0;
-        // Files before it may be more now, so that it is listed no more.
+        // A cut list may omit a file because more files come before it now, so it is no longer listed.
         const bool is_beyond = was_there && is_cut && folder_.tag_of(name);
         if (was_there && !is_beyond) {
             set(state, std::nullopt);

@@ -14,42 +14,43 @@
 
 namespace gsim::studio {
 
-/// How often a folder is walked: a walk of a large one takes long, and goes on as long as a page is open.
+/// Limits for the frequency of walks: a walk of a large folder takes long, and walks continue as long as a
+/// page is open.
 struct WalkBounds {
     std::size_t most_files = 10'000;
     std::chrono::milliseconds least_pause{500};
     std::chrono::milliseconds most_pause{30'000};
-    int pause_of_walk = 19;  ///< The pause behind a walk, in times of what it took: 5 % of a core.
+    int pause_of_walk = 19;  ///< Pause after a walk, in multiples of its time: 5 % of a core.
 };
 
-/// What has become of a file; without a tag: it is gone.
+/// Change of a file; without a tag: it is gone.
 struct FolderChange {
     std::string name;
     std::optional<os::ContentTag> tag;
 };
 
-/// What has changed since another answer.
+/// Changes since an earlier response.
 struct ChangesAnswer {
-    std::uint64_t at = 0;  ///< What is asked for next time.
+    std::uint64_t at = 0;  ///< Value for the next request.
     bool again = false;    ///< Changes may be missed: all is to be listed once more.
     std::vector<FolderChange> changes;
 };
 
-/// Which files of a folder other programs have changed. The folder is walked when somebody asks, and not too
-/// often: all who ask share the walks. Calls may come from several threads.
+/// Changes of a folder's files by other programs. The folder is walked on request, but not too often: all
+/// requests share the walks. Calls may come from several threads.
 class FolderChanges {
   public:
     explicit FolderChanges(os::BoundFolder folder, const WalkBounds& bounds = {})
         : folder_(std::move(folder)), bounds_(bounds) {}
 
-    /// `at`: of the answer before; nothing: there is none.
+    /// Returns the changes since `at`, from the previous response; no value: no previous one.
     ChangesAnswer since(std::optional<std::uint64_t> at);
 
   private:
     using Clock = std::chrono::steady_clock;
 
     struct State {
-        std::optional<os::ContentTag> tag;  // nothing: it is gone
+        std::optional<os::ContentTag> tag;  // no value: it is gone
         std::uint64_t at = 0;               // the walk that found it so
     };
 

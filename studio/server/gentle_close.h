@@ -5,15 +5,15 @@
 
 namespace gsim::studio {
 
-/// What is taken in of what is still on its way.
+/// Limits for data that are read while a connection is closed.
 struct ClosingBounds {
-    std::size_t bytes = std::size_t{2} << 30U;  ///< More than anybody sends who means it.
+    std::size_t bytes = std::size_t{2} << 30U;  ///< More than any legitimate sender sends.
     std::chrono::milliseconds time{10'000};
-    std::chrono::milliseconds pause{2'000};  ///< Between pieces.
+    std::chrono::milliseconds pause{2'000};  ///< Between parts.
 };
 
-/// Ends what is sent on a connection, and takes in what comes until the other end has closed it: closed with
-/// bytes unread, it would lose the answer that is on its way. The socket itself stays open.
+/// Ends sending on a connection, and reads data until the other end has closed it. Closing it with unread
+/// bytes would lose the response that is being sent. The socket itself stays open.
 void end_gently(int socket, const ClosingBounds& bounds = {});
 
 }  // namespace gsim::studio

@@ -1,4 +1,4 @@
-// gsim-serve: serves the page of the studio; gsim studio begins it.
+// gsim-serve: serves the page of the studio; gsim studio starts it.
 //
 //     gsim-serve '{"folder": ..., "port": 0, "page": FILE, "told": {...}, "engine": [COMMAND...], "browser":
 //     true}'

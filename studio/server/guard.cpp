@@ -17,7 +17,7 @@ constexpr std::size_t kLongestTarget = 4096;
 constexpr std::array kMethods = {"GET", "POST", "PUT"};
 constexpr std::size_t kTokenBytes = 16;
 
-/// How long it takes tells nothing of where the texts differ.
+/// The duration does not reveal the position at which the texts differ.
 bool are_equal(const std::string& a, const std::string& b) {
     unsigned different = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -56,7 +56,7 @@ std::optional<Refusal> Guard::refuse(const httplib::Request& request) const {
     if (request.get_header_value_count("Host") != 1 || !is_ours(request.get_header_value("Host")))
         return Refusal{403, fmt::format("the host '{}' is another one", request.get_header_value("Host"))};
     if (!has_token(request.path)) return Refusal{403, "the address has not the token of this run"};
-    // A person may come to the page from anywhere: by a click, from a file.
+    // Users may open the page from anywhere: by a click, from a file.
     const bool is_page = request.method == "GET" && request.path == "/" + token_ + "/";
     if (const std::string origin = request.get_header_value("Origin"); request.has_header("Origin")) {
         constexpr std::string_view kScheme = "http://";

@@ -9,30 +9,32 @@
 
 namespace gsim::studio {
 
-/// Why a request is not answered.
+/// Reason why a request is rejected.
 struct Refusal {
     int status = 403;
-    std::string sentence;  ///< For who asked, and for the log; without the token.
+    std::string sentence;  ///< For the requester and the log; without the token.
 };
 
-/// What a request may bring along.
+/// Max size of a request's body.
 constexpr std::size_t kLargestBody = std::size_t{512} << 20U;
 
-/// Why more than that is refused.
+/// Returns the reason why larger bodies are rejected.
 Refusal too_large();
 
-/// The length of the body that a head announces; 0: none. One that is no number is 0, a negative one huge.
+/// Returns the length of the body that a head announces; 0: none. A length that is no number is 0, a negative
+/// one huge.
 std::uint64_t announced_bytes(const httplib::Request& request);
 
-/// Who may ask: a page that came from here. A page of another site that a browser is told to send here has
-/// another origin; a name of another site that leads to this machine stands in `Host`; another program of
-/// this machine does not know the token. Sources: RFC 9110 (Host), Fetch (Origin, Sec-Fetch-Site).
+/// Access check: only a page from this server may send requests. A page of another site that makes a browser
+/// send requests here has another origin. A name of another site that leads to this computer is in `Host`.
+/// Another program of this computer does not know the token. Sources: RFC 9110 (Host), Fetch (Origin,
+/// Sec-Fetch-Site).
 class Guard {
   public:
-    /// `token`: the first part of each address that is answered.
+    /// `token`: the first part of each accepted address.
     Guard(int port, std::string token);
 
-    /// Nothing where a request is for the page, or one of its own.
+    /// Returns no value if a request is for the page, or one of the page's requests.
     std::optional<Refusal> refuse(const httplib::Request& request) const;
     const std::string& token() const { return token_; }
 
@@ -44,7 +46,7 @@ class Guard {
     std::string token_;
 };
 
-/// 32 hexadecimal digits that nobody can guess. Throws std::system_error where the system has none.
+/// Returns 32 unpredictable hexadecimal digits. Throws std::system_error if the system has none.
 std::string random_token();
 
 }  // namespace gsim::studio

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t kReceived = std::size_t{64} << 10U;
 
-/// What the socket is ready for of `events`, or 0 behind that time; -1: an error.
+/// Returns the subset of `events` for which the socket is ready, or 0 after that time; -1: an error.
 short wait_for(int socket, short events, milliseconds longest) {
     pollfd asked{socket, events, 0};
     int ready = 0;
@@ -67,7 +67,7 @@ ssize_t GuardedStream::refill() {
     return got;
 }
 
-// A line may end with \n alone, too, as cpp-httplib takes it.
+// A line may also end with \n alone, as cpp-httplib accepts it.
 void GuardedStream::look_for_end(char byte) {
     if (has_head()) return;
     ++head_bytes_;

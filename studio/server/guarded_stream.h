@@ -8,25 +8,25 @@
 
 namespace gsim::studio {
 
-/// What a connection may take. A request's head (its line and its headers) ends with an empty line.
+/// Limits of a connection. A request's head (its line and its headers) ends with an empty line.
 struct StreamBounds {
     std::size_t head_bytes = std::size_t{64} << 10U;
-    std::chrono::milliseconds head{5'000};    ///< Until the head is whole.
-    std::chrono::milliseconds pause{10'000};  ///< Between pieces of a body, read or written.
-    std::chrono::milliseconds body{120'000};  ///< Until the body is whole.
+    std::chrono::milliseconds head{5'000};    ///< For the complete head.
+    std::chrono::milliseconds pause{10'000};  ///< Between parts of a body, read or written.
+    std::chrono::milliseconds body{120'000};  ///< For the complete body.
 };
 
-/// A connection as cpp-httplib reads and writes it, which ends where who is at the other end sends too much
-/// or too slowly. It does not close the socket.
+/// Connection that cpp-httplib reads and writes. It ends if the other end sends too much or too slowly. It
+/// does not close the socket.
 class GuardedStream final : public httplib::Stream {
   public:
     explicit GuardedStream(int socket, const StreamBounds& bounds = {});
 
-    /// Whether the whole head of the request has been read.
+    /// Returns true if the complete head of the request has been read.
     bool has_head() const { return newlines_ == 2; }
 
     bool is_readable() const override;
-    /// False, too, where the other end has gone.
+    /// Returns false also if the other end has gone.
     bool is_writable() const override;
     ssize_t read(char* bytes, std::size_t size) override;
     ssize_t write(const char* bytes, std::size_t size) override;
@@ -44,7 +44,7 @@ class GuardedStream final : public httplib::Stream {
     StreamBounds bounds_;
     Clock::time_point began_ = Clock::now();
     std::size_t head_bytes_ = 0;
-    int newlines_ = 0;    // one behind the other; two end the head
+    int newlines_ = 0;    // consecutive; two end the head
     std::string buffer_;  // read, and not asked for yet
     std::size_t at_ = 0;
 };

@@ -8,14 +8,14 @@
 
 namespace gsim::studio {
 
-/// Answers with JSON; bytes that are no UTF-8 are replaced.
+/// Responds with JSON; bytes that are not UTF-8 are replaced.
 inline void answer_json(httplib::Response& response, int status, const nlohmann::ordered_json& value) {
     response.status = status;
     response.set_content(value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
                          "application/json");
 }
 
-/// {"error": sentence}
+/// Responds with {"error": sentence}.
 inline void answer_error(httplib::Response& response, int status, const std::string& sentence) {
     answer_json(response, status, {{"error", sentence}});
 }

@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t kMostRuns = 4;
 constexpr std::size_t kSmallestMessage = 8;
 
-/// Where long files may lie: a folder of a disk, as /tmp may be in memory.
+/// Returns a folder for long files: it must be on a disk, because /tmp may be in memory.
 const char* folder_of_long_files() {
     const char* const chosen = std::getenv("TMPDIR");
     return chosen != nullptr ? chosen : "/var/tmp";
 }
 
-/// All of them; false: they are not there, or not yet.
+/// Reads all bytes; false: they do not exist, or not yet.
 bool read_all(int file, char* bytes, std::size_t size, std::uint64_t at) {
     while (size > 0) {
         const ssize_t got = ::pread(file, bytes, size, static_cast<off_t>(at));

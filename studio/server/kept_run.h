@@ -14,17 +14,17 @@
 
 namespace gsim::studio {
 
-/// The whole messages of segments of a run that is too long for a page, one behind the other in a file
-/// without a name. They may be read while the engine still adds some.
+/// Complete segment messages of a run that is too long for a page, one after the other in an unnamed file.
+/// They may be read while the engine still adds some.
 class KeptRun {
   public:
-    /// The error is a sentence.
+    /// Creates the file. The error is a message.
     static tl::expected<std::shared_ptr<KeptRun>, std::string> make();
     explicit KeptRun(os::Descriptor file) : file_(std::move(file)) {}
 
-    /// For who writes it.
+    /// Returns the descriptor for the writer.
     int number() const { return file_.number(); }
-    /// The message of that number, from 0; nothing where it is not there.
+    /// Returns the message of that number, from 0; no value if it does not exist.
     std::optional<std::string> message(std::size_t index);
 
   private:
@@ -33,14 +33,14 @@ class KeptRun {
     std::vector<std::uint64_t> starts_{0};  // of messages that are known, and of the next one
 };
 
-/// Those of a server, by the names that pages give them: the last few.
+/// Kept runs of a server, by the names that pages give them: the last few.
 class KeptRuns {
   public:
-    /// A new one; the oldest goes where there are many.
+    /// Adds a new run; the oldest is removed if many exist.
     tl::expected<std::shared_ptr<KeptRun>, std::string> add(const std::string& name);
-    /// Null: it has gone.
+    /// Returns null if the run has been removed.
     std::shared_ptr<KeptRun> find(const std::string& name);
-    /// It is kept no more, whatever it is called.
+    /// Removes the run, whatever its name is.
     void drop(const std::shared_ptr<KeptRun>& run);
 
   private:

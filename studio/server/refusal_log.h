@@ -8,13 +8,14 @@
 
 namespace gsim::studio {
 
-/// Tells what was refused, in lines that can be shown; of many in a second the first ones, and how many more.
+/// Log of rejected requests, in printable lines; of many in a second it has the first ones, and the number of
+/// the others.
 class RefusalLog {
   public:
     using Sink = std::function<void(const std::string& line)>;
     explicit RefusalLog(Sink sink) : sink_(std::move(sink)) {}
 
-    /// From any thread.
+    /// Adds a line; may be called from any thread.
     void add(const std::string& line);
 
   private:

@@ -48,7 +48,7 @@ void serve_until_signal(StudioServer& server) {
         server.stop_serving();
     });
     server.serve();
-    // Where it ended without: the thread waits for the signal, which ends nothing.
+    // If the server ended without a signal, the thread still waits for one. This one ends no process.
     ::pthread_kill(ending.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread)
     ending.join();
 }

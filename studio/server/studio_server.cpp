@@ -27,12 +27,13 @@ constexpr std::size_t kMostConnections = 200;
 constexpr int kMostAsks = 8;
 constexpr int kLook_ms = 200;
 constexpr std::string_view kPlace = "<!-- server -->";
-/// Of who has sent no whole head.
+/// Limits for a sender without a complete head.
 constexpr ClosingBounds kHeadless{.bytes = std::size_t{256} << 10U,
                                   .time = std::chrono::milliseconds(200),
                                   .pause = std::chrono::milliseconds(200)};
 
-/// What browsers keep pages of others from, and this page from others. Sources: CSP 3, Fetch, HTML (COOP).
+/// Returns headers that make browsers protect this page from other sites, and other sites from it. Sources:
+/// CSP 3, Fetch, HTML (COOP).
 const httplib::Headers& protection() {
     static const httplib::Headers headers{
         {"Cache-Control", "no-store"},
@@ -46,7 +47,7 @@ const httplib::Headers& protection() {
     return headers;
 }
 
-/// JSON in a script element: nothing in it may look like the element's end.
+/// Returns JSON for a script element: no text in it may look like the element's end.
 std::string inline_json(const nlohmann::ordered_json& value) {
     std::string text = value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
@@ -57,7 +58,7 @@ void keep_from_children(int socket) {
     ::fcntl(socket, F_SETFD, FD_CLOEXEC);
 }
 
-/// The last message, where the engine could not write it.
+/// Returns the last message if the engine could not write it.
 std::string failed_message(const std::string& sentence) {
     Message message("failed");
     message.header().update(
@@ -65,7 +66,7 @@ std::string failed_message(const std::string& sentence) {
     return message.bytes();
 }
 
-/// Counts something that is at work, as long as it lives.
+/// Scoped counter of active work.
 class Counted {
   public:
     explicit Counted(std::atomic<int>& count) : count_(count), number_(++count) {}
@@ -123,7 +124,7 @@ void StudioServer::serve() {
 
 void StudioServer::stop_serving() {
     stopping_ = true;
-    ::shutdown(svr_sock_, SHUT_RDWR);  // stop() does nothing where serve() has yet to begin
+    ::shutdown(svr_sock_, SHUT_RDWR);  // stop() has no effect before serve() has begun
     stop();
 }
 
@@ -157,7 +158,7 @@ void StudioServer::add_routes() {
         [this](const httplib::Request& request, httplib::Response& response) {
             read_laws(request.matches[1], request.matches[2], response);
         });
-    // Else cpp-httplib would keep whatever comes, without a bound.
+    // Without a handler cpp-httplib would store data of any size.
     const auto nothing = [](const httplib::Request&, httplib::Response& response,
                             const httplib::ContentReader&) { response.status = 404; };
     Post("[^]*", nothing);
@@ -165,8 +166,8 @@ void StudioServer::add_routes() {
     set_error_handler([this](const httplib::Request& request, httplib::Response& response) {
         if (response.body.empty()) answer_error(response, response.status, "there is nothing of this name");
         const bool is_usual =
-            response.status == 404 || response.status == 412;  // a page asks for what is gone
-        if (is_usual || guard_->refuse(request)) return;       // the latter is told already
+            response.status == 404 || response.status == 412;  // a page requests a removed file
+        if (is_usual || guard_->refuse(request)) return;       // the latter is already logged
         tell(fmt::format("refused {} ({}): {}", request.method, response.status, response.body));
     });
     set_exception_handler(
@@ -176,7 +177,7 @@ void StudioServer::add_routes() {
         });
 }
 
-// Who has the token may say it anywhere, and in parts that are it only as they are written.
+// A client may send the token anywhere, even in parts that form it only in the printed line.
 void StudioServer::tell(const std::string& told) {
     const std::string& token = guard_->token();
     std::string line = text::printable(told);
@@ -236,7 +237,7 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
             return true;
         },
         [this, kept, is_whole](bool) {
-            if (kept && !*is_whole) kept_.drop(kept);  // nobody shows a run that was cancelled
+            if (kept && !*is_whole) kept_.drop(kept);  // no page shows a cancelled run
         });
 }
 

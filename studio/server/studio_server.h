@@ -17,31 +17,32 @@
 
 namespace gsim::studio {
 
-/// What is served.
+/// Content that is served.
 struct ServedStudio {
     os::BoundFolder folder;
-    std::string page;                  ///< served.html, with the place for what the page is told.
-    nlohmann::ordered_json told = {};  ///< What it is told.
-    std::vector<std::string> engine;   ///< The command that answers what a page asks of the engine.
-    RefusalLog::Sink log;              ///< Takes a line for each thing that is refused.
+    std::string page;                  ///< served.html, with a placeholder for the page's data.
+    nlohmann::ordered_json told = {};  ///< Data for the page.
+    std::vector<std::string> engine;   ///< Command that processes a page's requests to the engine.
+    RefusalLog::Sink log;              ///< Receives a line for each rejected request.
 };
 
-/// The page of the studio on this machine alone, with its folder and its engine (docs/studio.md). Whoever has
-/// not the token gets nothing; requests are bounded in size and time, each connection serves one.
+/// Server of the studio page for this computer alone, with its folder and its engine (docs/studio.md).
+/// Clients without the token get no content; requests are limited in size and time, each connection serves
+/// one.
 class StudioServer final : private httplib::Server {
   public:
     explicit StudioServer(ServedStudio served);
     ~StudioServer() override;
 
-    /// Takes a port, 0: any; the port, or -1: it is taken already.
+    /// Binds to a port, 0: any; returns the port, or -1: it is already used.
     int bind(int port);
-    /// Of the page, behind bind().
+    /// Returns the address of the page, after bind().
     std::string address() const;
-    /// Answers until stop() is called, from whichever thread.
+    /// Serves requests until stop() is called, from any thread.
     void serve();
     void stop_serving();
 
-    /// Answers what stands on a stream, as serve() does with each connection: for tests.
+    /// Serves the request on a stream, as serve() does with each connection: for tests.
     void answer(httplib::Stream& stream, const std::function<void()>& admitted);
 
   private:

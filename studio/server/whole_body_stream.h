@@ -6,13 +6,13 @@
 
 namespace gsim::studio {
 
-/// The stream of one request, whose body is read to its end before anything is answered: a browser looks for
-/// the answer when it has sent all, and a connection that is closed with bytes unread loses its answer.
+/// Stream of one request that reads the body to its end before any response. A browser reads the response
+/// only after it has sent all, and a connection that is closed with unread bytes loses its response.
 class WholeBodyStream final : public httplib::Stream {
   public:
     explicit WholeBodyStream(httplib::Stream& stream) : stream_(stream) {}
 
-    /// The head has been read, and so many bytes follow it.
+    /// Sets the size of the body after the head was read.
     void expect_body(std::uint64_t bytes) { left_ = bytes; }
 
     bool is_readable() const override { return stream_.is_readable(); }
@@ -29,7 +29,7 @@ class WholeBodyStream final : public httplib::Stream {
 
   private:
     httplib::Stream& stream_;
-    std::uint64_t left_ = 0;  // of the body; 0, too, where it has ended too soon
+    std::uint64_t left_ = 0;  // of the body; also 0 if it has ended too soon
 };
 
 }  // namespace gsim::studio

@@ -1,4 +1,5 @@
-// What stands in the page's own file: the engine, the samples, or a finished run; each packed with gzip, as base64.
+// Contents of the page's own file: the engine, the samples, or a finished run; each packed with gzip, as
+// base64.
 
 import type { FileContent } from "./core/file_content";
 
@@ -17,11 +18,11 @@ async function unpacked(id: string): Promise<ArrayBuffer | null> {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
-/** What gsim-studio tells the page that it serves. */
+/** Data that gsim-studio passes to the page that it serves. */
 export interface Served {
-  /** The folder, as it is called. */
+  /** Name of the folder. */
   name: string;
-  /** What was asked for, as names of files: keys of Setup, empty where nothing was. */
+  /** Requested file names: keys of Setup, empty if nothing was requested. */
   setup: Record<string, string>;
 }
 
@@ -45,7 +46,7 @@ export const embedded = {
     return files;
   },
 
-  /** null: the page stands alone, be it because it was opened from a disk. */
+  /** Returns null if the page is not served, for example because it was opened from a disk. */
   served(): Served | null {
     const text = document.getElementById("server")?.textContent ?? "";
     if (!text.startsWith("{")) return null;
@@ -53,7 +54,7 @@ export const embedded = {
     return { name: folder, setup };
   },
 
-  /** Frames of a finished run, one behind the other. */
+  /** Returns the frames of a finished run, one after another. */
   async run(): Promise<Uint8Array> {
     return new Uint8Array((await unpacked("run"))!);
   },

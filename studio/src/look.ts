@@ -1,4 +1,4 @@
-// The page to look at a finished run in: nothing is changed there.
+// Page that shows a finished run; it changes nothing.
 
 import { createLookBar } from "./bar/look";
 import { noEngine } from "./core/engine";
@@ -11,7 +11,7 @@ import { noBeside } from "./view/beside_place";
 import { noHeadset } from "./view/headset_place";
 import { noHolds } from "./view/holds";
 
-/** The run that stands in the page. */
+/** Returns the run that is stored in the page. */
 async function finishedRun(): Promise<Run> {
   const run = new Run();
   for (const frame of framesOf(await embedded.run())) {

@@ -1,4 +1,4 @@
-// The page to work in.
+// Page for work on programs.
 
 import { createBar } from "./bar";
 import { samples, setupOf } from "./bar/gallery";

@@ -1,4 +1,4 @@
-// Puts a page together, be it to work in or to look at a run.
+// Builds a page, either for work or to view a run.
 
 import "./style.css";
 import { Documents } from "./core/documents";
@@ -13,11 +13,11 @@ import { embedded } from "./embedded";
 import { createTime } from "./time";
 import { createView, type ViewParts } from "./view";
 
-/** In what the one page is another than the other. */
+/** Differences between the two pages. */
 export interface PageKind {
   /** Makes engines of one kind. */
   engineMaker(): Promise<() => Engine>;
-  /** Whether files lie in a folder that gsim-studio serves. */
+  /** True if files are in a folder that gsim-studio serves. */
   isServed: boolean;
   openFolder(session: Session): Folder | null;
   createBar(host: HTMLElement, store: Store, session: Session, folder: Folder | null): void;
@@ -27,7 +27,7 @@ export interface PageKind {
   begin(session: Session, folder: Folder | null): Promise<void>;
 }
 
-/** As the system has it, until a person chooses. */
+/** Uses the theme of the system until the user sets one. */
 function followTheme(store: Store): void {
   if (matchMedia("(prefers-color-scheme: dark)").matches) store.set("theme", "dark");
   store.watch(["theme"], () => {
@@ -51,6 +51,6 @@ export async function start(kind: PageKind): Promise<void> {
   createCode(host("code"), store, session);
   kind.createSide(host("side"), store, session);
   await kind.begin(session, folder);
-  // For tests and for the curious: what the page knows.
+  // For tests and for curious users: the objects of the page.
   Object.assign(window, { studio: { store, session, documents, folder, view } });
 }

@@ -1,4 +1,4 @@
-// What a page that gsim-studio serves shows first: what was asked for, or else a program of the folder.
+// Initial contents of a page that gsim-studio serves: the requested files, or else a program of the folder.
 
 import { samples, setupOf } from "./bar/gallery";
 import type { Folder } from "./core/folder";
@@ -8,7 +8,7 @@ import { emptySetup } from "./core/setup";
 import type { Served } from "./embedded";
 import { texts } from "./texts";
 
-/** The first program by name, of the upper folders before those below. */
+/** Returns the first program by name; upper folders come before those below. */
 function firstProgram({ documents }: Session, folder: Folder): string {
   const depth = (name: string) => name.split("/").length;
   const programs = namesOfKind("program", documents).filter((name) => folder.has(name));

@@ -1,5 +1,5 @@
-// All that the page says, in one place, so that it can be said in another language. Each part of the page has a
-// section of its own.
+// All texts of the page, in one place, so that they can be translated. Each part of the page has its own
+// section.
 
 import { bar } from "./texts/bar";
 import { data } from "./texts/data";
@@ -26,7 +26,7 @@ export const texts = {
   page: {
     title: "gsim studio",
   },
-  /** What is wrong with a text that should be JSON. */
+  /** Errors of a text that should be JSON. */
   json: {
     tooDeep: "values are nested too deep",
     endsTooSoon: "the text ends too soon",
@@ -37,7 +37,7 @@ export const texts = {
     behindEnd: "nothing may stand behind the end",
     noMember: (name: string) => `there is no ${name}`,
   },
-  /** What is in a run, wherever the page tells of it. */
+  /** Names of the parts of a run, for all modules of the page. */
   run: {
     line: (line: number) => `line ${line}`,
     controlOfRobots: "Robots have the controls of their own machine files",

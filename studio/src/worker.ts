@@ -1,4 +1,4 @@
-// The engine's side of the page: runs in a worker, so that the page goes on while the engine works, and can end it.
+// Engine side of the page: runs in a worker, so that the page stays responsive and can end the engine.
 
 // @ts-expect-error: written by emscripten (make studio)
 import createEngine from "gsim-engine";
@@ -42,7 +42,7 @@ async function answer(ask: Ask): Promise<void> {
   ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(ask.request)]);
 }
 
-/** What the engine did not survive is told as an error of the worker: the page starts another one. */
+/** Reports a fatal error of the engine as an error of the worker: the page starts another one. */
 function fail(fault: unknown): void {
   setTimeout(() => {
     throw fault;

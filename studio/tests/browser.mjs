@@ -7,7 +7,7 @@ const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const idle = [];
 const open = new Set();
 
-// To start one takes two seconds of processor time.
+// A start takes two seconds of processor time.
 async function takeBrowser() {
   for (let browser = idle.pop(); browser; browser = idle.pop()) if (browser.isConnected()) return browser;
   return chromium.launch({
@@ -16,7 +16,7 @@ async function takeBrowser() {
   });
 }
 
-/** Ends the browsers that pages have left behind. */
+/** Ends the idle browsers of closed pages. */
 export const closeBrowsers = () => Promise.all(idle.splice(0).map((browser) => browser.close()));
 
 /** What the pages say that are open, for the case that waits for one of them. */
@@ -30,8 +30,9 @@ export async function whatIsOpen() {
 }
 
 /**
- * Opens a file, or an address, in a window that shares nothing with others: storage, caches, and, while it is open, its browser. `before` is run in
- * the page before its own code; what goes wrong in the page is kept in `faults`.
+ * Opens a file, or an address, in a window that shares nothing with others: storage, caches, and, while it is
+ * open, its browser. `before` runs in the page before its own code; errors in the page are stored in
+ * `faults`.
  */
 export async function openPage(file, { width = 1280, height = 800, dark = false, before } = {}) {
   const isAddress = file.startsWith("http:");
@@ -49,7 +50,7 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
     if (!isOwn) faults.push(`asked for ${request.url()}`);
   });
   if (before) await page.addInitScript(before.script, before.argument);
-  // However busy the machine is: how long a page takes to load is for the benchmarks.
+  // Long timeout for a busy machine: the load time of a page is a topic of the benchmarks.
   await page.goto(isAddress ? file : `file://${file}`, { timeout: 180_000 });
   const close = async () => {
     open.delete(page);

@@ -1,7 +1,8 @@
-// A headset that is none: what WebXR tells a page and asks of it, for a browser without a device. Pictures are due when the test
-// says so, at times of its own; the window's stop meanwhile, as on a headset that is its own computer, or go on, as on a desk.
+// Emulated headset: the WebXR interface to a page, for a browser without a device. Pictures are due when the
+// test requests them, at times of its own. Those of the window stop meanwhile, as on a headset that is its
+// own computer, or continue, as on a desk.
 
-/** Runs in the page before its own code; `window.headset` is what the test holds of it. */
+/** Runs in the page before its own code; `window.headset` is the interface for the test. */
 export function emulateHeadset({ refuses = "", lacksFloor = false, layers = false, onDesk = false, width_px = 640, height_px = 640 } = {}) {
   const EYES_M = 0.064;
   const head = { x_m: 0, y_m: 1.7, z_m: 0, turn: 0, down: 0 };
@@ -29,7 +30,7 @@ export function emulateHeadset({ refuses = "", lacksFloor = false, layers = fals
     };
   }
 
-  /** Of an eye at a place: tilted, then turned about Y. */
+  /** Returns the transformation of an eye at a position: tilted, then turned about Y. */
   function transformOf([x, y, z]) {
     const { turn, down } = head;
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
@@ -95,7 +96,7 @@ export function emulateHeadset({ refuses = "", lacksFloor = false, layers = fals
     }
   };
   if (layers) {
-    // As with a graphics card, where edges are smoothed, and the picture is put together behind its drawing.
+    // As with a graphics card that smooths edges, and composes the picture after drawing.
     const getExtension = WebGL2RenderingContext.prototype.getExtension;
     WebGL2RenderingContext.prototype.getExtension = function (name) {
       return name === "WEBGL_debug_renderer_info" ? null : getExtension.call(this, name);

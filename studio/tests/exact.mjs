@@ -37,7 +37,10 @@ function* sampleRuns() {
   for (const name of ["left.nc", "clamp.nc"]) yield { folder: join(folder, "cell"), args: [name, "--cell", "table.toml"], mustRun: true };
 }
 
-/** Motion that the others have not: tools along great circles, rapids whose axes go apart, S-curves, led tips, rounded corners. */
+/**
+ * Motion that the other sources lack: tools along great circles, uncoordinated rapids, S-curves, TCP control,
+ * rounded corners.
+ */
 const formSources = {
   "great-circle": {
     machine: "af5",
@@ -87,7 +90,9 @@ function* formRuns() {
   }
 }
 
-/** What gsim-run writes; a run that ends past limits has a status of its own, and files all the same. */
+/**
+ * Returns the output of gsim-run; a run that ends beyond limits has its own status, but also writes files.
+ */
 function written({ folder, args }, options) {
   try {
     execFileSync(gsimRun, [...args, "--quiet", ...options], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
@@ -108,7 +113,7 @@ function countForms(robot) {
   }
 }
 
-/** Times are rounded to 1e-9 s, in which an axis without limits goes far. */
+/** Allows for times that are rounded to 1e-9 s, in which an axis without limits moves far. */
 function axesDifference(robot, t_s, values) {
   const differences = [t_s, t_s - 5e-10, t_s + 5e-10].map((time) => {
     return Math.max(...robot.axes_at(time).map((value, i) => Math.abs(value - values[i])));
@@ -116,13 +121,16 @@ function axesDifference(robot, t_s, values) {
   return Math.min(...differences);
 }
 
-/** Relative. Where nothing limits the acceleration the speed jumps, and a rounded time is on either side of the jump. */
+/**
+ * Returns the relative difference. Without an acceleration limit the speed jumps, and a rounded time is on
+ * either side of the jump.
+ */
 function speedDifference(segments, t_s, speed_mm_s) {
   const differences = [t_s, t_s - 2e-9, t_s + 2e-9].map((time) => Math.abs(segments.speed_at(time) - speed_mm_s));
   return Math.min(...differences) / Math.max(speed_mm_s, 1);
 }
 
-/** Largest difference of an axis from the trajectory, and faults in sentences. */
+/** Returns the largest difference of an axis from the trajectory, and error messages. */
 function compare(page, run, csv) {
   const [head, ...lines] = csv.trim().split("\n");
   const letters = head.split(",").slice(2, -1);
@@ -177,7 +185,7 @@ try {
       written(run, ["--explain", "--view", html, "--trajectory", csv, "--step", "0.037", "--max-time", "200"]);
       if (!existsSync(html) && run.mustRun) throw new Error("it did not run");
       if (!existsSync(html)) {
-        ++refused; // before it ran: there is nothing to compare
+        ++refused; // refused before the run: nothing to compare
         continue;
       }
       const found = compare(page, readRun(page, readFileSync(html, "utf8")), readFileSync(csv, "utf8"));

@@ -1,4 +1,4 @@
-// The page's own code, for node: runs as the page has them, from pages that gsim-run --view has written.
+// Code of the page, for node: runs as in the page, from pages that gsim-run --view has written.
 
 import { gunzipSync } from "node:zlib";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -9,7 +9,7 @@ import * as esbuild from "esbuild";
 
 const sources = fileURLToPath(new URL("../src/", import.meta.url));
 
-/** What a module of the page's own that has these contents exports. */
+/** Returns the exports of a module of the page with these contents. */
 async function bundled(contents) {
   const folder = mkdtempSync(join(tmpdir(), "gsim-studio-"));
   try {

@@ -20,7 +20,9 @@ const spread = (times) => {
   return `${sorted[sorted.length >> 1].toFixed(0)} ms in the median, ${sorted.at(-1).toFixed(0)} at most of ${sorted.length}`;
 };
 
-/** Runs the program, and tells when something was to be seen, when it came to its end, and when the whole way was drawn (ms). */
+/**
+ * Runs the program, and returns the times (ms) of the first picture, of its end, and of the complete path.
+ */
 const run = (page) =>
   page.evaluate(async () => {
     const { session, store, view } = window.studio;
@@ -43,7 +45,7 @@ const run = (page) =>
     return { ...times, status: report?.status, failure, blocks: report?.blocks, segments: segments.count, cycle_s: report?.cycle_time_s };
   });
 
-/** Shows instants one by one; how long each takes until its joints are here and drawn. */
+/** Shows instants one by one; returns the time of each until its joints are loaded and drawn. */
 const scrub = (page, shares) =>
   page.evaluate(async (all) => {
     const { store } = window.studio;

@@ -1,8 +1,11 @@
-// What processes hold, as Linux tells it.
+// Memory of processes, as reported by Linux.
 
 import { readFileSync, readdirSync } from "node:fs";
 
-/** Of all processes: parent, name, and bytes of memory that they share with no file (of now, and with what is shared at most). */
+/**
+ * Returns for all processes: parent, name, and bytes of memory that they share with no file (current, and the
+ * peak including shared memory).
+ */
 function processes() {
   const all = new Map();
   for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
@@ -18,7 +21,7 @@ function processes() {
   return all;
 }
 
-/** Processes below this one whose command line has these words, the largest first. */
+/** Returns processes below this one with these words in their command line, the largest first. */
 export function ours(words) {
   const all = processes();
   const isOurs = ({ parent }) => {

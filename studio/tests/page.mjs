@@ -1,7 +1,10 @@
-// Tries the page in Chromium, without a window, as a person uses it. Usage: node page.mjs BUILD [PART-OF-A-NAME]
-// GSIM_RENEW_PICTURES=1 writes the kept pictures anew: look at them before they are committed. Times are printed, and fail nothing.
-// LANES=2 tries two cases at once, each in a browser of its own, which times then suffer from. PART=2/3 tries each third case, from the second on.
-// A case that is not over after four minutes has failed: it waits for what never comes. Closes with "N passed, N failed".
+// Tests the page in Chromium, without a window, as a user would. Usage: node page.mjs BUILD [PART-OF-A-NAME]
+// GSIM_RENEW_PICTURES=1 rewrites the kept pictures: check them before a commit. Times are printed, and never
+// fail a test.
+// LANES=2 runs two cases at once, each in its own browser, which distorts times. PART=2/3 runs each third
+// case, from the second on.
+// A case that is not over after four minutes has failed: it waits for an event that never comes. Ends with "N
+// passed, N failed".
 
 import { readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -31,7 +34,7 @@ cases.splice(0, cases.length, ...cases.filter((_, index) => index % parts === pa
 
 const LONGEST_CASE_S = 240;
 
-/** What a case has opened that is not over in time is left behind. */
+/** Pages of a case that is not over in time stay open. */
 const inTime = (test) =>
   within(LONGEST_CASE_S * 1000, test(places), async () => `not over after ${LONGEST_CASE_S} s\n${await whatIsOpen()}`);
 
@@ -54,4 +57,4 @@ async function lane() {
 await Promise.all(Array.from({ length: Number(process.env.LANES ?? 1) }, lane));
 await closeBrowsers();
 console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed > 0 ? 1 : 0);  // also where a case that is not over still waits
+process.exit(failed > 0 ? 1 : 0);  // even if an unfinished case still waits

@@ -1,6 +1,6 @@
-// What does not come in time fails: a case that waits without end would hold up all others.
+// Time limit: a case that waits without end would block all others.
 
-/** Fails where `wanted` does not come in time, with the words that `tell` returns then, at once or later. */
+/** Fails if `wanted` does not come in time, with the message that `tell` returns then, at once or later. */
 export function within(time_ms, wanted, tell) {
   let patience;
   const late = new Promise((_, fail) => {

@@ -1,4 +1,4 @@
-// A folder of its own, and gsim-studio behind a page of it.
+// Separate folder, and gsim-studio with a page for it.
 
 import { spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -63,8 +63,10 @@ export async function typeAfter(page, text, typed) {
   await page.keyboard.type(typed);
 }
 
-/** Holds back what a page asks of a file by this method, until go() is called; how often it was asked is in `count`, and
- *  asked() waits for the first time. */
+/**
+ * Delays requests of a page for a file by this method, until go() is called; `count` is the number of
+ * requests, and asked() waits for the first one.
+ */
 export async function hold(page, method, name) {
   const held = { count: 0 };
   const gate = new Promise((go) => (held.go = go));
@@ -81,7 +83,7 @@ export async function hold(page, method, name) {
   return held;
 }
 
-/** Serves a folder of these files, opens its page, waits for its first run, and tidies up behind `test`. */
+/** Serves a folder of these files, opens its page, waits for its first run, and cleans up after `test`. */
 export async function withServed(places, files, test, options = {}) {
   const folder = mkdtempSync(join(tmpdir(), "gsim-served-"));
   let served = null;

@@ -1,11 +1,14 @@
-// What tests of the page do again and again.
+// Common steps of the page tests.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { openPage } from "./browser.mjs";
 
-/** Opens a page, waits for its first run, and closes it behind `test`; what goes wrong in the page fails, but for what is `expected`. */
+/**
+ * Opens a page, waits for its first run, and closes it after `test`; errors fail the test, except for those
+ * that are `expected`.
+ */
 export async function withPage(file, test, { expected, ...options } = {}) {
   const { page, faults, close } = await openPage(file, options);
   try {
@@ -36,13 +39,13 @@ export const state = (page, key) => page.evaluate((name) => window.studio.store.
 export const setState = (page, key, value) =>
   page.evaluate(([name, to]) => window.studio.store.set(name, to), [key, value]);
 
-/** Waits until the picture of the way is whole and nothing is drawn any more. */
+/** Waits until the picture of the path is complete and drawing has ended. */
 export async function settled(page) {
   await page.waitForFunction(() => window.studio.view?.complete(), null, { timeout: 60_000 });
   await page.waitForTimeout(700);
 }
 
-/** The picture of the machine and the way alone: words look different on each system. */
+/** Returns the picture of only the machine and the path, because text looks different on each system. */
 export async function pictureOfView(page) {
   await settled(page);
   const words = "#view > :not(.surface), #view .surface > :not(canvas) { visibility: hidden !important; }";
@@ -78,7 +81,7 @@ export const difference = (page, one, other) =>
     [one.toString("base64"), other.toString("base64")],
   );
 
-/** How many pixels of the view have a colour that `wanted(r, g, b)`, given as text, takes. */
+/** Returns the number of pixels of the view with a colour that `wanted(r, g, b)`, given as text, accepts. */
 export const countPixels = (page, picture, wanted) =>
   page.evaluate(
     async ([base64, condition]) => {
@@ -101,7 +104,7 @@ export const countPixels = (page, picture, wanted) =>
     [picture.toString("base64"), wanted],
   );
 
-/** At most this share of pixels may differ from a kept picture: edges are smoothed otherwise by other renderers. */
+/** Max share of pixels that may differ from a kept picture: other renderers smooth edges differently. */
 const TOLERANCE = 0.01;
 
 export async function comparePicture(page, places, name) {

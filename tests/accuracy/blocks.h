@@ -8,14 +8,14 @@
 
 namespace gsim::accuracy {
 
-/// The time that one line of a program takes, with all the moves it makes one after the other.
+/// Time of one line of a program, with all its moves one after the other.
 struct Block {
     long line = 0;
     double start_s = 0;
     double end_s = 0;
 };
 
-/// How long a line took; line 0 is no line: a pause.
+/// Duration of a line; line 0 is not a line but a pause.
 struct LineTime {
     long line = 0;
     double duration_s = 0;
@@ -24,8 +24,8 @@ struct LineTime {
 /// The blocks of lines that follow one another from time 0 on.
 std::vector<Block> blocks_of(const std::vector<LineTime>& times);
 
-/// The blocks in what `gsim-run --moves` writes: JSON Lines, docs/report.md. Moves that belong to no line and
-/// those that take no time are in none. The error says which line cannot be understood.
+/// Returns the blocks in the output of `gsim-run --moves` (JSON Lines, docs/report.md). Moves without a line
+/// and moves that take no time belong to no block. The error names the line that cannot be parsed.
 tl::expected<std::vector<Block>, std::string> read_blocks(std::istream& moves);
 
 }  // namespace gsim::accuracy

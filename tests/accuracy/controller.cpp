@@ -7,7 +7,8 @@ namespace gsim::accuracy {
 
 namespace {
 
-// Recorded times have whole ms: an error of just that many shall not fail for its binary digits.
+// Recorded times are full ms: a deviation of exactly the permitted ms must not fail because of binary
+// rounding.
 constexpr double kRounding_s = 1e-9;
 
 std::string with_dashes(std::string name) {

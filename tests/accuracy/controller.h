@@ -8,7 +8,7 @@
 
 namespace gsim::accuracy {
 
-/// How far a time may be off: by a part of the recorded time or by a fixed time, whichever is more.
+/// Permitted deviation of a time: a part of the recorded time or a fixed time, the larger of the two.
 struct Tolerance {
     double percent = 0;
     double least_s = 0;
@@ -19,31 +19,31 @@ struct Tolerance {
 /// A line of a table.tsv by the names of its columns.
 using TableRow = std::map<std::string, std::string, std::less<>>;
 
-/// What a column has; empty where the line lacks it.
+/// Returns the text in a column, or an empty text if the line lacks it.
 std::string text_in(const TableRow& row, std::string_view column);
 
-/// How a table.tsv lists runs, one a line, where a program was run on several machines.
+/// Layout of a table.tsv that lists runs, one per line, for programs that were run on several machines.
 struct RunTable {
     std::string (*machine_of)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.
-    /// Of what a program is called that the table has more than once; null: by its own name.
+    /// Name of the variant, for a program that the table has more than once; null: its own name.
     std::string (*variant_of)(const TableRow& row) = nullptr;
-    /// Why a run says nothing of the controller's motion; empty, or null: it is counted.
+    /// Reason why a run says nothing about the controller's motion; empty, or null: it is counted.
     std::string (*left_out_for)(const TableRow& row) = nullptr;
 };
 
 /// A recorded controller: how its recordings are written and how close gsim shall come to it.
 struct Controller {
-    std::string_view name;             ///< Of its folder.
-    std::string_view time_key;         ///< Where the JSON of a recording has the cycle time, s.
-    std::string_view note_key;         ///< Where it has a word about the program.
-    bool times_dwells = true;          ///< Whether recorded dwells are in the controller's own time.
+    std::string_view name;             ///< Name of its folder.
+    std::string_view time_key;         ///< Key of the cycle time, s, in the JSON of a recording.
+    std::string_view note_key;         ///< Key of a note about the program.
+    bool times_dwells = true;          ///< True if recorded dwells are in the controller's own time.
     Tolerance close = {};              ///< Most programs shall be this close ...
     Tolerance fair = {};               ///< ... and all, but for those that known.h lists, this close.
-    std::size_t close_percent = 95;    ///< How many are most,
+    std::size_t close_percent = 95;    ///< Percentage that is most,
     std::size_t fair_percent = 100;    ///< and all.
     bool from_first_move = false;      ///< Recorded times begin with the first motion, whatever was before.
     int tools = 0;                     ///< It has tools 1 to this many, without lengths.
-    std::string_view machines = name;  ///< What the names of its machine files begin with.
+    std::string_view machines = name;  ///< Prefix of the names of its machine files.
     std::string_view dialect = "rs274ngc";
     const RunTable* runs = nullptr;  ///< All its runs are lines of its table; null: files with figures.
 };
@@ -66,10 +66,10 @@ std::string fault_of_linuxcnc_2_10(const TableRow& row);
 inline constexpr RunTable kLinuxcncMasterRuns{machine_of_linuxcnc_2_10, planner_of_linuxcnc_2_10,
                                               fault_of_linuxcnc_2_10};
 
-/// LinuxCNC times a dwell by the wall clock, and stops at multiples of its servo period: some ms for a
-/// program. The second set is of whole part programs and of single words between moves. grbl's time is exact,
-/// and so is grblHAL's: that of its fine clock, which is nearest to the law that it follows. Klipper's is
-/// what its planner hands on, to 1e-9 s.
+/// LinuxCNC times a dwell by the wall clock and stops at multiples of its servo period: some ms per program.
+/// The second set consists of complete part programs and of single words between moves. The times of grbl are
+/// exact. Those of grblHAL are exact, too: they are from its fine clock, which is nearest to the law that it
+/// follows. Klipper's times are those that its planner passes on, to 1e-9 s.
 inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},

@@ -7,20 +7,20 @@
 
 namespace gsim::accuracy {
 
-/// How far times of many programs are off, in percent of what was recorded, without sign.
+/// Deviations of the times of many programs, in percent of the recorded times, without sign.
 struct Distribution {
     std::size_t count = 0;
     double median_percent = 0;
     double p95_percent = 0;      ///< 95 of 100 are nearer.
-    std::size_t within = 0;      ///< Of Tolerance{0.5, 0.005}.
+    std::size_t within = 0;      ///< Number in Tolerance{0.5, 0.005}.
     double largest_percent = 0;  ///< With sign,
     std::string largest;         ///< and of which program.
 };
 
-/// Of counted outcomes with a time; the others count as infinitely far off.
+/// Returns the distribution of counted outcomes with a time; the others count as infinitely far off.
 Distribution distribution_of(const std::vector<TimeOutcome>& outcomes);
 
-/// What was said of one controller's programs by one estimator.
+/// Results of one estimator for one controller's programs.
 struct EstimatedController {
     std::string controller;
     std::string estimator;

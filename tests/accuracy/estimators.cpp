@@ -28,7 +28,7 @@ double joint_speed(const ProgrammedMove& before, const ProgrammedMove& behind) {
     return std::min(peak_of(before), peak_of(behind)) * std::max(0.0, before.leaves.dot(behind.enters));
 }
 
-/// The speed at which the move behind `at` may begin, as far as the look-ahead sees.
+/// Returns the speed at which the move after `at` may begin, as far as the look-ahead sees.
 double exit_speed(std::span<const ProgrammedMove> moves, std::size_t at) {
     double speed = 0;
     for (std::size_t i = std::min(at + kLookAhead, moves.size()); i-- > at + 1;) {
@@ -38,7 +38,7 @@ double exit_speed(std::span<const ProgrammedMove> moves, std::size_t at) {
     return speed;
 }
 
-/// Of moves between two waits.
+/// Returns the time of moves between two dwells.
 double planned_s(std::span<const ProgrammedMove> moves) {
     double time_s = 0;
     double entry = 0;

@@ -80,7 +80,7 @@ TEST(Estimators, OfTrapezoidsStopAtRightAnglesAndPassStraightOn) {
 }
 
 TEST(Estimators, OfTrapezoidsSeeThirtyTwoMovesAhead) {
-    // Many short ones in a row: at most the speed from which 31 of them are enough to stop.
+    // Many short lines in a row: the max speed is that from which 31 of them suffice to stop.
     std::string lines;
     for (int i = 1; i <= 2000; ++i) lines += line(0.01 * i, 0, 6000);
     const double speed = std::sqrt(2 * 1000 * 0.01 * 32);

@@ -39,12 +39,12 @@ tl::expected<std::string, std::string> output_of(const std::vector<std::string>&
     const auto ran = os::run_child(command, in.get(), out.get());
     std::string printed = read_all(out.get());
     if (ran) return printed;
-    // With --json a refusal stands in the report, and there is no other word.
+    // With --json the error is in the report and is not printed again.
     const auto time_s = read_cycle_time_s(printed);
     return tl::unexpected(json::accept(printed) && !time_s ? time_s.error() : ran.error());
 }
 
-// gsim-run's own words, without the folders.
+// Returns the messages of gsim-run without the folders.
 std::string without_paths(std::string message, const std::string& gsim_run, const fs::path& program) {
     for (const std::string& part : {gsim_run + " failed: ", program.parent_path().string() + "/"}) {
         if (const std::size_t at = message.find(part); at != std::string::npos)

@@ -23,7 +23,7 @@ class GsimProgram {
     /// error is the first one that gsim-run reports.
     tl::expected<double, std::string> cycle_time_s(const Recording& recording) const;
 
-    /// The moves that a program asks for: those of a run from rest to rest.
+    /// Returns the moves that a program asks for: those of a run from standstill to standstill.
     tl::expected<ProgrammedRun, std::string> programmed_run(const Recording& recording) const;
 
     /// The path of a program, sampled every 10 ms; the error as above.
@@ -41,10 +41,11 @@ class GsimProgram {
     conformance::ScratchFolder scratch_;
 };
 
-/// The cycle time in a report of `gsim-run --json`, s; the error says why there is none.
+/// Returns the cycle time in a report of `gsim-run --json`, in s; the error says why it is missing.
 tl::expected<double, std::string> read_cycle_time_s(const std::string& report);
 
-/// When the first motion begins, s, in what `gsim-run --moves` writes; 0 where there is none.
+/// Returns the start of the first motion, in s, in the output of `gsim-run --moves`, or 0 if it has no
+/// motion.
 double first_motion_s(std::istream& moves);
 
 /// The path of a recording; the error names the file that cannot be read or understood.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A program in place of gsim-run.
+// Writes a program that replaces gsim-run.
 fs::path script(const conformance::ScratchFolder& folder, const std::string& body) {
     fs::path file = folder.write("fake-gsim-run", fmt::format("#!/bin/sh\n{}", body));
     fs::permissions(file, fs::perms::owner_all);

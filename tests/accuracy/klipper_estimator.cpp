@@ -19,10 +19,10 @@ struct Line {
     Eigen::Vector3d direction{0, 0, 0};  ///< 0 of the extruder alone.
     double extruded = 0;                 ///< mm for each mm.
     double acceleration_mm_s2 = 0;
-    double cruise_2 = 0;          ///< At most.
-    double entry_2 = 0;           ///< At most, by the corner before.
-    double gain_2 = 0;            ///< Of its acceleration over its length.
-    double smoothed_entry_2 = 0;  ///< The same of the plan beside it, with less acceleration.
+    double cruise_2 = 0;          ///< Max value.
+    double entry_2 = 0;           ///< Max value, by the corner before.
+    double gain_2 = 0;            ///< Gain by its acceleration over its length.
+    double smoothed_entry_2 = 0;  ///< The same in the smoothed plan, with less acceleration.
     double smoothed_gain_2 = 0;
     double start_2 = 0, end_2 = 0;  ///< As planned, with what is reached in between.
     double reached_2 = 0;
@@ -47,7 +47,7 @@ Line line_of(const ProgrammedMove& move, double length_mm, const Eigen::Vector3d
     return line;
 }
 
-/// Equal chords, as many as are as long on the arc as the resolution at least.
+/// Adds equal chords, as many as possible with at least the resolution as their length on the arc.
 void add_chords(const ProgrammedMove& move, const machine::Machine& machine, std::vector<Line>& lines) {
     const double count = std::max(1.0, std::floor(move.length_mm / machine.controller.arc_resolution_mm));
     const double turn = move.sweep_rad / count;
@@ -74,7 +74,7 @@ std::vector<Line> lines_of(std::span<const ProgrammedMove> moves, const machine:
     return lines;
 }
 
-/// Where the extruder's speed may jump by so much.
+/// Returns the squared speed at which the extruder's speed may jump by so much.
 double of_extruder_2(const Line& before, const Line& line, double jump_mm_s) {
     const double change = std::abs(line.extruded - before.extruded);
     return change > 0 ? jump_mm_s * jump_mm_s / change / change : line.cruise_2;
@@ -87,8 +87,8 @@ double jump_of_extruder_mm_s(const machine::Machine& machine) {
     return kNoLimit;
 }
 
-/// By the deviation that the square corner velocity stands for, and the circle that touches both lines within
-/// their halves.
+/// Limits the entry speed by the deviation that the square corner velocity represents, and by the circle that
+/// touches both lines within their halves.
 void limit_at_corner(const Line& before, double deviation_mm, double jump_mm_s, Line& line) {
     constexpr double kStraightBack = 0.99999, kStraight = -0.999999;
     if (line.direction.isZero() || before.direction.isZero()) return;
@@ -113,7 +113,8 @@ void set(Line& line, double start_2, double end_2, double reached_2) {
     line.reached_2 = reached_2;
 }
 
-/// From the end on. Lines that only slow down in the plan beside wait for the peak in front of them.
+/// Plans from the end to the start. Lines that only slow down in the smoothed plan wait for the peak before
+/// them.
 void plan(std::vector<Line>& lines) {
     struct Waiting {
         Line* line;

@@ -7,10 +7,10 @@
 
 namespace gsim::accuracy {
 
-/// What klipper_estimator 3.7 (Annex Engineering; lib/src/planner.rs, arcs.rs) says of a program, s, by its
-/// rules and the limits of a machine of Klipper's: the planner of Klipper, with dwells that do not stop it.
-/// The estimator follows what a program changes of the limits (M204, SET_VELOCITY_LIMIT), which is not known
-/// here: it is not to be asked of such programs.
+/// Returns the time of a program by klipper_estimator 3.7 (Annex Engineering; lib/src/planner.rs, arcs.rs),
+/// in s, from its rules and the limits of a Klipper machine. It is the planner of Klipper, with dwells that
+/// do not stop it. The estimator follows changes of the limits by a program (M204, SET_VELOCITY_LIMIT), which
+/// are not known here. Do not use it for such programs.
 double klipper_estimator_s(std::span<const ProgrammedMove> moves, const machine::Machine& machine);
 
 }  // namespace gsim::accuracy

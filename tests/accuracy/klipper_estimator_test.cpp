@@ -39,7 +39,7 @@ TEST(KlipperEstimator, ALineIsATrapezoid) {
     EXPECT_NEAR(time_s({line(100)}), 1.1, 1e-12);
 }
 
-/// A third of the way each: half of the acceleration is left out at the peak.
+/// Each phase takes a third of the time: half of the acceleration is left out at the peak.
 TEST(KlipperEstimator, AShortLineGoesOnForItsShare) {
     EXPECT_NEAR(time_s({line(3)}), 3 * 0.0387298335, 1e-9);
 }

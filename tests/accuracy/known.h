@@ -5,7 +5,7 @@
 
 namespace gsim::accuracy {
 
-/// Programs that are known to be off, as CONTROLLER/PROGRAM without the ending, and why.
+/// Returns the programs with known deviations, as CONTROLLER/PROGRAM without the extension, and the reasons.
 inline std::map<std::string, std::string> known_differences() {
     return {};
 }

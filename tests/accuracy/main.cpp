@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr int kGood = 0;
 constexpr int kOff = 1;
 constexpr int kUsage = 2;
-constexpr int kSkipped = 77;  // what CTest is told to take for a test that was not run
+constexpr int kSkipped = 77;  // exit status that CTest takes for a test that was not run
 
 struct Arguments {
     std::string folder;
@@ -108,7 +108,7 @@ struct Estimator {
     bool limits_may_change = true;  // else programs that change the limits of their machine are left out
 };
 
-// Of all controllers, and of Klipper alone.
+// Estimators for all controllers, and for Klipper alone.
 constexpr std::array kEstimators{
     Estimator{"length over feed",
               [](Moves moves, const machine::Machine&) { return length_over_feed_s(moves); }},
@@ -132,8 +132,8 @@ bool changes_limits(const fs::path& program) {
     return false;
 }
 
-// What estimators of others say of the same programs, in their order. Overrides are left out, as they know
-// none.
+// Returns the times of foreign estimators for the same programs, in their order. Runs with overrides are left
+// out, because the estimators know none.
 std::vector<std::vector<TimeOutcome>> estimate(const std::vector<TimeOutcome>& outcomes,
                                                const std::vector<Recording>& recordings,
                                                std::span<const Estimator> estimators,

@@ -15,7 +15,7 @@ struct Percents {
     double rapid = 100;
 };
 
-// Whether the byte is one that turns an override.
+// Applies a byte and returns true if it changes an override.
 bool turn(std::string_view byte, Percents& percents) {
     if (byte == "0x90") {
         percents.feed = 100;

@@ -7,10 +7,10 @@
 
 namespace gsim::accuracy {
 
-/// What an operator did while a run was recorded, TIME:BYTE in s with ';' between, as a file of overrides
-/// (gsim-run --overrides); empty: nothing. Bytes are grbl's real-time commands: feed overrides in steps of
-/// 10 % and 1 % within 10 to 200 %, rapid ones of 25, 50 and 100 %. The error names a byte that is none of
-/// these, as a feed hold, whose end depends on when it was seen to stand.
+/// Returns the actions of an operator during a recorded run (TIME:BYTE in s with ';' between) as a file of
+/// overrides (gsim-run --overrides); empty: no action. Bytes are grbl's real-time commands: feed overrides in
+/// steps of 10 % and 1 % within 10 to 200 %, rapid overrides of 25, 50 and 100 %. The error names any other
+/// byte, such as a feed hold, because its end depends on when the standstill was detected.
 tl::expected<std::string, std::string> overrides_of(std::string_view inputs);
 
 }  // namespace gsim::accuracy

@@ -12,14 +12,14 @@
 
 namespace gsim::accuracy {
 
-/// How the cycle time of a program fared.
+/// Result of the comparison of a program's cycle time.
 struct TimeOutcome {
     std::string name;
     std::string note;
     bool counted = true;
     double recorded_s = 0;
-    tl::expected<double, std::string> found_s = 0;  ///< Or why gsim has none.
-    std::string known;                              ///< Why it is known to be off; empty if it is not.
+    tl::expected<double, std::string> found_s = 0;  ///< Or why gsim has no time.
+    std::string known;                              ///< Reason of a known deviation; empty if none.
 
     double error_s() const { return *found_s - recorded_s; }
     double error_percent() const;
@@ -30,16 +30,16 @@ enum class Mark { close, fair, off, refused, not_counted };
 std::string_view name(Mark mark);
 Mark mark(const TimeOutcome& outcome, const Controller& controller);
 
-/// How the positions of a program fared.
+/// Result of the comparison of a program's positions.
 struct PathOutcome {
     std::string name;
-    tl::expected<Distance, std::string> distance;  ///< Or why it cannot be told.
+    tl::expected<Distance, std::string> distance;  ///< Or why it is unknown.
     std::string known;
 
     bool good() const { return distance && distance->mm <= kGoodDistance_mm; }
 };
 
-/// How the programs of a controller fared together. What is not counted is in none of the figures.
+/// Results of all programs of a controller. Programs that are not counted are in none of the values.
 struct Summary {
     std::size_t counted = 0;
     std::size_t close = 0;
@@ -47,9 +47,9 @@ struct Summary {
     std::size_t unknown = 0;             ///< Not fair and not known to be off.
     std::size_t close_percent = 0;       ///< As many shall be close,
     std::size_t fair_percent = 0;        ///< and as many fair or known.
-    std::optional<TimeOutcome> largest;  ///< Of those that gsim ran, by percent.
+    std::optional<TimeOutcome> largest;  ///< Largest of those that gsim ran, by percent.
 
-    /// Whether as many are close and fair as the controller asks for.
+    /// Returns true if as many programs are close and fair as the controller requires.
     bool good() const;
 };
 

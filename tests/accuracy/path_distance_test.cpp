@@ -8,10 +8,10 @@ namespace gsim::accuracy::path_distance_test {
 namespace {
 
 constexpr double kAcceleration_mm_s2 = 500;
-constexpr double kMove_s = 0.8;  // there and at rest again
+constexpr double kMove_s = 0.8;  // until standstill at the target
 constexpr double kLength_mm = kAcceleration_mm_s2 * kMove_s * kMove_s / 4;
 
-// Way of a move that speeds up for half its time and slows down for the other half.
+// Returns the distance of a move that speeds up for half its time and slows down for the other half.
 double way_mm(double t_s) {
     if (t_s <= 0) return 0;
     if (t_s >= kMove_s) return kLength_mm;
@@ -43,8 +43,8 @@ TEST(PathDistance, IsNoneOfAPathFromItself) {
 TEST(PathDistance, CountsTimeFromTheStartOfEachBlock) {
     const auto distance = largest_distance(two_moves(0), two_moves(0.303));
     ASSERT_TRUE(distance) << distance.error();
-    // Between samples 10 ms apart a straight line misses a parabola by a t^2 / 8 at most; the samples of the
-    // second block are cut by its borders.
+    // Between samples 10 ms apart a straight line misses a parabola by at most a t^2 / 8. The samples of the
+    // second block are cut at its borders.
     EXPECT_LT(distance->mm, kAcceleration_mm_s2 * 0.01 * 0.01 / 2);
 }
 
@@ -63,7 +63,7 @@ TEST(PathDistance, IsThatOfTheWorstInstant) {
 TEST(PathDistance, TakesABlockThatEndsEarlierAsAtRest) {
     TimedPath recorded = two_moves(0);
     TimedPath found = two_moves(0);
-    found.blocks[0].end_s = kMove_s / 2;  // half the way, and no farther
+    found.blocks[0].end_s = kMove_s / 2;  // half the path, and no farther
     const auto distance = largest_distance(recorded, found);
     ASSERT_TRUE(distance);
     EXPECT_NEAR(distance->mm, kLength_mm / 2, 1e-9);

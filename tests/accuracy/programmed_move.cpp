@@ -46,7 +46,7 @@ bool is_arc(const std::string& kind) {
     return kind.starts_with("arc");
 }
 
-/// Length, radius and directions of an arc about `center` from one place to the other.
+/// Sets length, radius and directions of an arc about `center` from one position to the other.
 void set_arc(const json& line, const Eigen::Vector3d& from, const Eigen::Vector3d& to, ProgrammedMove& move) {
     const Eigen::Vector3d normal = vector_in(line.at("normal"));
     const double sense = line.at("kind") == "arc_ccw" ? 1 : -1;
@@ -83,7 +83,8 @@ void limit_along_path(const machine::Machine& machine, ProgrammedMove& move) {
         move.acceleration, move.rapid ? path.max_rapid_acceleration_mm_s2 : path.max_acceleration_mm_s2);
 }
 
-/// What the axes and the path allow along the way. Round an arc each has all directions of its plane.
+/// Sets the limits of the axes and of the path along a move. On an arc each axis moves in all directions of
+/// its plane.
 void set_limits(const machine::Machine& machine, const Place& from, const Place& to, ProgrammedMove& move) {
     double turn = 0, other = 0;
     for (const machine::Axis& axis : machine.axes) {

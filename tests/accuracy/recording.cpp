@@ -69,7 +69,7 @@ fs::path figures_of(const fs::path& program) {
     return fs::path(program).replace_extension(".json");
 }
 
-// A program with figures of its own does not need the table.
+// A program with values of its own does not need the table.
 tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::path& folder,
                                                                       const Controller& controller) {
     const fs::path table = folder / "table.tsv";
@@ -150,7 +150,7 @@ tl::expected<void, std::string> read_figures(const std::string& json_text, const
         recording.note = figures.at(std::string(controller.note_key)).get<std::string>();
         recording.exact_stop = figures.value("mode", "") == "G61.1";
         if (figures.contains("time_per_line")) recording.blocks = blocks_in(figures["time_per_line"]);
-    } catch (const std::exception& error) {  // nlohmann's and our own
+    } catch (const std::exception& error) {  // those of nlohmann and our own
         return tl::unexpected<std::string>(error.what());
     }
     return {};

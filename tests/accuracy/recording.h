@@ -24,19 +24,19 @@ struct Recording {
     double cycle_time_s = 0;
     bool from_first_move = false;  ///< The time begins with the first motion.
     int tools = 0;                 ///< The controller had tools 1 to this many, without lengths.
-    std::string overrides = {};    ///< What the operator turned, as a file for --overrides.
-    bool counted = true;           ///< Whether the controller timed all of it.
-    bool exact_stop = false;       ///< Whether it rests after each block (G61.1).
-    std::vector<Block> blocks;     ///< Where they were recorded.
+    std::string overrides = {};    ///< The operator's overrides, as a file for --overrides.
+    bool counted = true;           ///< True if the controller timed all of it.
+    bool exact_stop = false;       ///< True if it stops after each block (G61.1).
+    std::vector<Block> blocks;     ///< Empty if not recorded.
 };
 
-/// The recordings in a folder, sorted by name: programs with a JSON beside them, or with a line of the
-/// folder's table.tsv, or, where the controller has a RunTable, the runs that the table lists. The error
-/// names the folder or file that cannot be read.
+/// Returns the recordings in a folder, sorted by name: programs with a JSON of the same name, or with a line
+/// in the folder's table.tsv. If the controller has a RunTable, they are the runs that the table lists. The
+/// error names the folder or file that cannot be read.
 tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
                                                                   const Controller& controller);
 
-/// Puts what the JSON of a recording says into it; the error says what it lacks.
+/// Stores the values from the JSON of a recording in it; the error names the missing value.
 tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
                                              Recording& recording);
 
@@ -46,7 +46,7 @@ tl::expected<void, std::string> read_figures(const std::string& json_text, const
 tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
                                                                     const Controller& controller);
 
-/// Whether a program has G4 outside its comments.
+/// Returns true if a program has G4 outside its comments.
 bool has_dwell(std::string_view program);
 
 }  // namespace gsim::accuracy

@@ -97,7 +97,7 @@ TEST(Recordings, MayBeLinesOfATable) {
     ASSERT_EQ(recordings->size(), 2U);
     EXPECT_EQ((*recordings)[0].cycle_time_s, 1.5);
     EXPECT_EQ((*recordings)[0].machine_file, "linuxcnc-router.toml");
-    EXPECT_EQ((*recordings)[1].cycle_time_s, 2);  // its own figures
+    EXPECT_EQ((*recordings)[1].cycle_time_s, 2);  // its own values
     folder.write("table.tsv", "name\ttime\nrouter_a\t1.5\n");
     EXPECT_FALSE(find_recordings(folder.path(), kLinuxcnc2));
     folder.write("table.tsv", "name\tcycle_time_s\nrouter_a\tsoon\n");

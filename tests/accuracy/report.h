@@ -12,7 +12,7 @@ enum class Format { plain, markdown };
 /// The table of cycle times, the reasons for what was refused or is known to be off, and a line of figures.
 std::string time_report(std::span<const TimeOutcome> outcomes, const Controller& controller, Format format);
 
-/// The same for positions; empty where there are none.
+/// Returns the same report for positions; empty without outcomes.
 std::string path_report(std::span<const PathOutcome> outcomes, const Controller& controller, Format format);
 
 }  // namespace gsim::accuracy

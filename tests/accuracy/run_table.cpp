@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The part of `text` up to `end`, which is taken off with it.
+// Returns the part of `text` up to `end`, and removes both from `text`.
 std::string_view take(std::string_view& text, char end) {
     const std::size_t at = std::min(text.find(end), text.size());
     const std::string_view part = text.substr(0, at);

@@ -12,15 +12,16 @@
 
 namespace gsim::accuracy {
 
-/// The lines of a table.tsv: columns with tabs between, under a line that names them. Lines with fewer
-/// columns lack the last ones; empty lines are none.
+/// Returns the lines of a table.tsv: columns separated by tabs, under a line that names them. Lines with
+/// fewer columns lack the last ones; empty lines are skipped.
 std::vector<TableRow> read_rows(std::string_view table);
 
-/// A time in a column, s. The error says what there is in its place.
+/// Returns a time in a column, in s. The error quotes the text found in its place.
 tl::expected<double, std::string> column_s(const TableRow& row, std::string_view column);
 
-/// The runs of a controller that a table lists, sorted by name, of programs that are in the folder. Pauses
-/// are taken from the times, as nobody goes on in a simulation. The error says what a line lacks.
+/// Returns the runs of a controller that a table lists, sorted by name, for programs that are in the folder.
+/// Pauses are subtracted from the times, because a simulation has no operator to resume it. The error names
+/// what a line lacks.
 tl::expected<std::vector<Recording>, std::string> listed_runs(const std::filesystem::path& folder,
                                                               const std::vector<TableRow>& rows,
                                                               const Controller& controller);

@@ -24,7 +24,7 @@ std::vector<std::string_view> cells(std::string_view line) {
     }
 }
 
-// Which cells hold the time and X, Y and Z.
+// Indexes of the cells with the time and X, Y and Z.
 using Columns = std::array<std::size_t, 4>;
 
 std::optional<Columns> find_columns(std::string_view header) {

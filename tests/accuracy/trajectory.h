@@ -9,7 +9,7 @@
 
 namespace gsim::accuracy {
 
-/// Where X, Y and Z stand at a time.
+/// Position of X, Y and Z at a time.
 struct Sample {
     double t_s = 0;
     std::array<double, 3> at_mm{};
@@ -19,11 +19,11 @@ struct Sample {
 using Trajectory = std::vector<Sample>;
 
 /// Reads CSV with a header: time `t` or `t_s`, axes `x`, `y`, `z` or `x_mm`, `y_mm`, `z_mm`; other columns
-/// are passed over. The error says which line cannot be understood, also where time goes back.
+/// are ignored. The error names the line that cannot be parsed, or in which time runs backwards.
 tl::expected<Trajectory, std::string> read_trajectory(std::istream& csv);
 
-/// The place at a time, on the line between the samples around it; before the first and behind the last
-/// sample the place of that one. `trajectory` is not empty.
+/// Returns the position at a time, on the line between the samples around it. Before the first and after the
+/// last sample it is the position of that sample. `trajectory` is not empty.
 std::array<double, 3> place_at_mm(const Trajectory& trajectory, double t_s);
 
 }  // namespace gsim::accuracy

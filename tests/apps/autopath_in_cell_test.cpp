@@ -1,4 +1,4 @@
-// Paths that lead past what stands on the machine, held against the run that looks for collisions.
+// Paths round obstacles on the machine, checked by the run that detects collisions.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace gsim::apps::autopath_in_cell_test {
 
 namespace {
 
-// Two holes in a plate, 200 mm apart; a block between them, higher than ways between cuts.
+// Two holes in a plate, 200 mm apart; a block between them, higher than the paths between cuts.
 constexpr const char* kHoles =
     "<svg width='300mm' height='60mm' viewBox='0 0 300 60'>"
     "<circle cx='50' cy='30' r='10'/><circle cx='250' cy='30' r='10'/></svg>";
@@ -68,7 +68,7 @@ TEST_F(AutopathInCell, WithNothingInTheWayThePathIsTheSame) {
     cell(kPlate);
     ASSERT_EQ(autopath({}).status, 0);
     const std::string without = read("holes.path.json");
-    // The machine's home is below the plate: the first way is another one.
+    // The machine's home is below the plate, so the first path differs.
     write("on_top.toml",
           "[cell]\nname = \"nothing\"\nmachine = \"af5\"\n[[object]]\nname = \"far\"\n"
           "shape = { box_mm = [10.0, 10.0, 10.0] }\nframe = { x_mm = 1800.0, y_mm = 2400.0, z_mm = 5.0 }\n");
@@ -89,7 +89,7 @@ TEST_F(AutopathInCell, AHoleBelowAClampIsRefusedByItsName) {
 }
 
 TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
-    // The same places, as the program counts them from (500, 500, 100).
+    // The same positions, as the program counts them from (500, 500, 100).
     write("cell.toml",
           "[cell]\nname = \"two holes\"\nmachine = \"af5\"\nmachine_data = \"data.txt\"\n"
           "clearance_mm = 2.0\n" +

@@ -65,7 +65,7 @@ G1{x=300}
     EXPECT_EQ(e.status, 0) << e.err << e.out;
 }
 
-// What was met before a frame was moved stays met, though the moves were still waiting in the planner.
+// A contact from before a frame was moved remains, though the moves were still pending in the planner.
 TEST_F(Cell, AFrameIsMovedBehindTheMovesSoFar) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim"
 F(6000) G1{x=150, y=200}
@@ -132,7 +132,7 @@ TEST_F(Cell, TheSampleRunsWithItsMachine) {
     EXPECT_TRUE(holds(quiet.err, "collisions: ")) << quiet.err;
 }
 
-/// Each clamp of a cell file text in turn, moved along its own X.
+/// Returns a cell file text with one of its clamps moved along the clamp's own X.
 std::string with_clamp_moved(std::string text, int clamp, double by_mm) {
     const std::string head = fmt::format("name = \"clamp {}\"\n", clamp);
     const std::size_t frame = text.find("frame = {", text.find(head));

@@ -1,4 +1,5 @@
-// What a run can reach of the system once its programs run, tried by a library that stands for a hole in Lua.
+// Limits of a run's access to the system after its programs run, tested by a library that simulates a
+// security hole in Lua.
 
 #include <cstdlib>
 #include <filesystem>
@@ -34,7 +35,7 @@ class Confined : public Apps {
              "GSIM_ESCAPE=" + names, tests::program_path("gsim-run")});
         return run_program("/usr/bin/env", arguments, folder_);
     }
-    /// The same for any program, when it opens a file whose name holds `at`.
+    /// Runs the same test with any program, when it opens a file with `at` in its name.
     Ended escape_at(const std::string& at, const std::string& names,
                     std::vector<std::string> arguments) const {
         arguments.insert(
@@ -91,7 +92,7 @@ TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
     EXPECT_TRUE(exists("out/m.jsonl")) << "what was asked for is written";
 }
 
-/// The module may reach what it likes, in its own process.
+/// The module may access anything, in its own process.
 TEST_F(Confined, SoItIsWithAControllerModule) {
     GSIM_SKIP_WITH_SANITIZER;
     const std::string names = "r:" + path("elsewhere/secret");

@@ -47,7 +47,7 @@ TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     EXPECT_TRUE(module["blends"].is_null()) << "a module does not tell where it leaves the way";
 }
 
-// The tip is led by the module where it offers that; who does not lead it is not moved as if it did.
+// The module controls the TCP if it offers that. A module without TCP control is not moved as if it had it.
 TEST_F(ControllerModule, ItLeadsTheTip) {
     const std::string part = write("tip.nc",
                                    "T1\nG0 X300 Y300 Z200\nG43.4 H1\nG1 X400 B10 C20 F2000\n"
@@ -113,7 +113,7 @@ TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThis
     EXPECT_EQ(run_program(alone, arguments, folder_).status, 0);
 }
 
-/// Programs for machines whose tool turns: heads, tables, arms; with joints, poses, and a tip that is led.
+/// Programs for machines with a turning tool: heads, tables, arms; with joints, poses and TCP control.
 struct Case {
     const char* name;
     const char* machine;
@@ -159,7 +159,7 @@ class TurningTools : public ControllerModule, public testing::WithParamInterface
         }
         return rows;
     }
-    /// Those that take a step at least: of shorter ones a module may show one, or none.
+    /// Returns the moves that take at least a step: of shorter ones a module may show one, or none.
     std::vector<json> long_moves(const std::string& name) const {
         std::vector<json> moves;
         std::istringstream lines(read(name));
@@ -243,7 +243,7 @@ TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
     EXPECT_EQ(report["alarm"]["axis"], "B");
 }
 
-/// What a module does to its process is not done to the program.
+/// Module that damages its own process, but not that of the program.
 class HostileModule : public ControllerModule {
   protected:
     HostileModule() {

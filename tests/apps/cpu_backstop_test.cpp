@@ -1,4 +1,5 @@
-// --max-cpu-seconds where nothing asks for a place: studies of a machine, drawings, the planning of axes.
+// --max-cpu-seconds in code that queries no source location: studies of a machine, drawings, the planning of
+// axes.
 
 #include <filesystem>
 #include <random>

@@ -1,4 +1,4 @@
-// What the programs find, as JSON and as SARIF.
+// Findings of the programs, as JSON and as SARIF.
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"

@@ -1,4 +1,4 @@
-// Both programs with the options that say how G-code is read, and what stands beside a program: setup scripts
+// Both programs with the options that set how G-code is read, and the files next to a program: setup scripts
 // and permanent variables.
 
 #include "base/text/json.h"

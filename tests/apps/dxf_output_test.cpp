@@ -1,4 +1,4 @@
-// The drawing of a run (--dxf), read back by the reader of drawings and held against the moves of the run.
+// Drawing of a run (--dxf), read back by the drawing reader and compared with the moves of the run.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -41,7 +41,7 @@ class DxfOutput : public Apps {
         EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error());
         return drawing.value_or(Drawing{});
     }
-    /// The kinds of the entities on a layer, with a blank behind each.
+    /// Returns the kinds of the entities on a layer, each followed by a blank.
     std::string kinds_on(const std::string& layer) const {
         std::istringstream file(read("p.dxf"));
         std::string kinds, kind;
@@ -80,7 +80,7 @@ double length_of(const Drawing& drawing) {
     return sum_mm;
 }
 
-// Each move is an entity, in their order, from where the one before ends to where it ends.
+// Each move is an entity, in order, from the end of the move before to its own end.
 TEST_F(DxfOutput, HasAnEntityForEachMoveWithItsEnds) {
     const Ended ended = draw(
         "G21 G90 F3000\nG0 X10 Y5\nG1 X40 Y5\nX40 Y25\nG3 X30 Y35 I-10\nG2 X10 Y15 I0 J-20\nG1 X10 Y5\n"
@@ -143,7 +143,7 @@ TEST_F(DxfOutput, LayersTellTheProcessAndTheHeightApart) {
     EXPECT_EQ(on({"CUT"}).entities.size(), 2U);
 }
 
-// A helix about (10, 0), and an arc about X 30 Z -6 that stands on its edge.
+// A helix about (10, 0), and an arc about X 30 Z -6 in an upright plane.
 TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
     ASSERT_EQ(draw("G21 G90 F3000\nG2 X20 Y0 Z-6 I10 J0\nG18\nG3 X40 Z-6 I10 K0\nM30\n").status, 0);
     EXPECT_EQ(kinds_on("FEED_Z"), "POLYLINE POLYLINE ");
@@ -167,7 +167,8 @@ TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
     for (const Line& line : lines) EXPECT_LT(line.size(), 300U);
 }
 
-// The tip's way on the part, not that of the axes: beside a table that turns a straight move is a curve.
+// The drawing has the path of the TCP on the part, not that of the axes: with a table that turns, a straight
+// move is a curve.
 TEST_F(DxfOutput, ATableThatTurnsMakesCurvesOfLines) {
     const std::string machine = tests::source_path("samples/machines/mill-head-table.toml");
     ASSERT_EQ(gsim_run({write("turn.nc", "G21 G90 F3000\nG1 X10\nC90\nM30\n"), "--machine", machine,

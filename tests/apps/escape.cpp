@@ -1,6 +1,6 @@
-// Stands for a hole in Lua or in a reader: preloaded, it tries from within the first script that runs, or
-// when a file is opened whose name holds GSIM_ESCAPE_AT, to open the files that are named in GSIM_ESCAPE
-// (r:NAME to read, w:NAME to make), and tells on standard error what came of it.
+// Simulates a security hole in Lua or in a reader. When preloaded, it acts within the first script that runs,
+// or when a file with GSIM_ESCAPE_AT in its name is opened. It tries to open the files that are named in
+// GSIM_ESCAPE (r:NAME to read, w:NAME to create), and reports the results on standard error.
 
 #include <cerrno>
 #include <cstdarg>
@@ -53,7 +53,7 @@ extern "C" [[gnu::visibility("default")]] int open(const char* name, int flags, 
     return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, name, flags, mode));
 }
 
-// What open() is in programs that are compiled with _FORTIFY_SOURCE.
+// Replacement of open() in programs that are compiled with _FORTIFY_SOURCE.
 extern "C" [[gnu::visibility("default")]] int open_of_fortified(const char* name,
                                                                 int flags) __asm__("__open_2");
 int open_of_fortified(const char* name, int flags) {

@@ -1,4 +1,4 @@
-// gsim in front of the programs, and what all of them tell of themselves.
+// gsim as the front end of the programs, and what all of them report about themselves.
 
 #include <string>
 #include <vector>
@@ -119,7 +119,7 @@ TEST_F(Front, ACheckTellsCollisionsWithBlockPairAndTime) {
     const Ended ended = gsim({"check", "--cell", cell, part_});
     ASSERT_NE(ended.status, 2) << ended.err;
     EXPECT_EQ(ended.status, 1) << ended.out;
-    // The rapid of the first line; its near miss with the same body is not told again.
+    // The rapid of the first line; its near miss with the same body is not reported again.
     EXPECT_TRUE(ended.out.starts_with("part.nc:1: error: collision: 'tip' and 'post' at ")) << ended.out;
     EXPECT_FALSE(holds(ended.out, "near miss: 'tip' and 'post', 0.000 mm")) << ended.out;
 }

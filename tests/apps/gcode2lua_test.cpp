@@ -1,4 +1,4 @@
-// gcode2lua from the outside: options, files, and what it leaves behind.
+// gcode2lua from the outside: options, files, and leftover files.
 
 #include "tests/apps/run_program.h"
 
@@ -33,7 +33,7 @@ TEST_F(Gcode2lua, ErrorsGiveStatusOneAndNoLua) {
     EXPECT_EQ(e.status, 1);
     EXPECT_EQ(e.out, "");
     EXPECT_TRUE(holds(e.err, "part.nc:2:7: error: ")) << e.err;
-    EXPECT_TRUE(holds(e.err, "part.nc:3:1: error: ")) << e.err;  // it goes on with the next block
+    EXPECT_TRUE(holds(e.err, "part.nc:3:1: error: ")) << e.err;  // it continues with the next block
     EXPECT_TRUE(holds(e.err, "  G0 X1 X2\n")) << e.err;
 }
 

@@ -1,4 +1,4 @@
-// gsim-run from the outside: exit statuses, reports, limits, and what it says where something is wrong.
+// gsim-run from the outside: exit statuses, reports, limits, and error messages.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Files of an installation: found from the program's place, wherever that is.
+// Files of an installation, found from the program's location, wherever that is.
 
 #include "engine/system/installed_files.h"
 
@@ -54,7 +54,7 @@ TEST_F(InstalledFiles, AFileOfTheUsersGoesBeforeThem) {
     EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "").value(), "");
 }
 
-// A name with its ending means the user's own file: a sample in its place would be another machine.
+// A name with its extension means the user's own file: a sample in its place would be another machine.
 TEST_F(InstalledFiles, WhatIsNowhereSaysWhereItWasLookedFor) {
     install("share/gsim/samples/machines/router3.toml");
     EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "router3.toml").error(),

@@ -1,4 +1,4 @@
-// What autopath says of leaning jets and moving pierces, held against geometry over the motion that the
+// Output of autopath for tilted jets and moving pierces, compared with the geometry of the motion that the
 // machine drives.
 
 #include <cmath>
@@ -27,17 +27,18 @@ struct Sample {
 
     bool cuts() const { return std::abs(z_mm - kCutHeight_mm) < 1e-6; }
     double leans_deg() const { return std::abs(c_deg); }
-    /// The tool's axis, which goes up; C is the tilt, B turns it about the vertical.
+    /// Return the tool's axis, which points up; C is the tilt, B turns it about the vertical.
     double axis_x() const { return std::sin(c_deg * kRadPerDeg) * std::cos(b_deg * kRadPerDeg); }
     double axis_y() const { return std::sin(c_deg * kRadPerDeg) * std::sin(b_deg * kRadPerDeg); }
     double axis_z() const { return std::cos(c_deg * kRadPerDeg); }
-    /// Where the jet's middle meets the upper side of the material, from the middle of the part.
+    /// Return the point at which the jet's middle meets the upper side of the material, from the middle of
+    /// the part.
     double top_x_mm() const { return x_mm - kMiddle_mm - z_mm * axis_x() / axis_z(); }
     double top_y_mm() const { return y_mm - kMiddle_mm - z_mm * axis_y() / axis_z(); }
     double top_radius_mm() const { return std::hypot(top_x_mm(), top_y_mm()); }
     /// Leads touch the circles at the top and at the bottom of the drawing.
     bool may_be_on_a_lead() const { return std::abs(top_x_mm()) < 3; }
-    /// Sideways of a circle about the middle: 0 where the lean has no part along it.
+    /// Returns the component along a circle about the middle: 0 if the tilt has no part along it.
     double along_the_circle() const {
         return (top_x_mm() * axis_y() - top_y_mm() * axis_x()) / top_radius_mm();
     }
@@ -82,7 +83,7 @@ class LeaningJet : public Apps {
     }
 };
 
-// The jet's axis has to stay on the cone of the bevel: a half circle whose ends are right may go through the
+// The jet's axis must stay on the cone of the bevel: a half circle with correct ends may pass through the
 // upright.
 TEST_F(LeaningJet, IsOnTheConeAllAlongACircle) {
     constexpr double kKerf_mm = 0.8;
@@ -122,7 +123,7 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
     EXPECT_GT(on_part, 800U);
 }
 
-// To and fro on the lead, for the time that the material takes.
+// The jet moves back and forth on the lead, for the time that the material takes.
 TEST_F(LeaningJet, AMovingPierceTakesItsTimeOnTheLead) {
     drive({"--speed", "300", "--kerf", "0.8", "--pierce", "4", "--moving-pierce"});
     const json path = text::parse_json<json>(read("ring.path.json"));

@@ -1,4 +1,4 @@
-// What ends runs that take too long or too much memory, wherever that is.
+// Limits that end runs with too much time or memory, wherever that is.
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"
@@ -31,7 +31,7 @@ TEST_F(Limits, CpuTimeEndsAScriptThatMovesForEver) {
 }
 
 TEST_F(Limits, CpuTimeEndsWorkInsideOfTheLibrary) {
-    // Steps count anew with each motion, and large values make each comparison slow.
+    // Steps count from 0 again with each motion, and large values make each comparison slow.
     write("part.lua",
           "local a, b = (\"x\"):rep(1 << 26), (\"x\"):rep(1 << 26)\n"
           "while true do if a == b then G0{x=1} G0{x=0} end end\n");

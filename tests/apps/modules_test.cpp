@@ -1,4 +1,4 @@
-// Modules of a script's own: what `require` finds, and what it does not.
+// Modules that belong to a script: those that `require` finds, and those that it does not.
 
 #include "tests/apps/run_program.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class Modules : public Apps {
   protected:
-    /// What is said of a script with this line.
+    /// Returns the message for a script with this line.
     std::string said(const std::string& line) {
         write("main/part.lua", line + "\n");
         return gsim_run({"main/part.lua", "--quiet"}).err;

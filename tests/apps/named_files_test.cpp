@@ -25,7 +25,7 @@ class NamedFiles : public Apps {
         return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", tests::program_path("gsim"), line)},
                            folder_);
     }
-    /// The sentence with which it is refused, without the program's name and the hint behind it.
+    /// Returns the error message, without the program's name and the hint after it.
     std::string refused(const std::vector<std::string>& arguments) const {
         const std::size_t before = files();
         const Ended ended = gsim(arguments);

@@ -7,8 +7,8 @@
 
 namespace gsim::apps {
 
-/// The options of a run's files but for the picture, whose name must end as a picture's, and the page, which
-/// a build may lack; the report's is the first one.
+/// Returns the options of a run's output files. It omits the picture, which needs the extension of a picture,
+/// and the page, which a build may lack. The report's option is the first one.
 inline std::vector<std::string> output_options() {
     std::vector<std::string> options;
     for (const OutputNames::File& file : OutputNames::files()) {

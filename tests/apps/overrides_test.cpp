@@ -83,7 +83,7 @@ TEST_F(OverrideOption, AFileTurnsThemInTheCourseOfTheRun) {
     const std::string file = write("turned.toml",
                                    "[[override]]\nat_s = 1\nfeed_percent = 0\n"
                                    "[[override]]\nat_s = 3\nfeed_percent = 50\n");
-    // Brakes from 50 mm/s in 0.1 s and 2.5 mm; what is left goes at 25 mm/s, with 500 mm/s2.
+    // The axis brakes from 50 mm/s in 0.1 s and 2.5 mm; the remainder runs at 25 mm/s, with 500 mm/s2.
     const double rest_mm = 100 - (50 - 2.5) - 2.5;
     EXPECT_NEAR(time_s("router3", {"--overrides", file}), 3 + rest_mm / 25 + 0.05, 1e-6);
     EXPECT_NEAR(time_s("router3", {"--overrides", file, "--feed-override", "50"}),

@@ -1,5 +1,4 @@
-// path2gcode as a whole: the test part of the thesis word by word, files, messages, and LinuxCNC's
-// interpreter.
+// path2gcode in full: the test part of the thesis word by word, files, messages, and LinuxCNC's interpreter.
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -28,11 +27,11 @@ class Path2Gcode : public Apps {
     }
 };
 
-/// The words of a block that say where the machine goes, and whether an arc turns clockwise.
+/// Words of a block with the machine's target, and whether an arc turns clockwise.
 struct Block {
     std::string name;  ///< Its N word.
     std::map<char, double> words;
-    int motion = -1;  ///< G0 to G3, where the block says one.
+    int motion = -1;  ///< G0 to G3, if the block has one.
 };
 
 // Blocks with any of X Y Z B C I J, in their order.
@@ -61,7 +60,7 @@ std::string appendix_j() {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The arcs that the thesis's writer ran the long way round.
+// Arcs that the thesis's writer ran round the longer side.
 const std::set<std::string> kMendedArcs = {"N00120", "N00130", "N00140", "N00165", "N00185", "N00190",
                                            "N00195", "N00220", "N00225", "N00245", "N00285", "N00300"};
 
@@ -158,7 +157,7 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
     EXPECT_EQ(read("in.path.json"), path);
 }
 
-// At rest at both ends: way / speed + speed / acceleration.
+// Standstill at both ends: distance / speed + speed / acceleration.
 TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
     write("a.path.json", R"json({"paths": [{"name": "a", "targets": [
         {"motion": "rapid", "position_mm": [100, 100, 100], "rotary_deg": {"B": 0, "C": 0}},
@@ -230,7 +229,7 @@ TEST_F(Path2Gcode, StandardInputAndScripts) {
     EXPECT_TRUE(holds(flange.out, "G17 G03 X348.000 Y369.282 I-8.000 J0.000 F900.000")) << flange.out;
 }
 
-/// A post of one's own.
+/// The post is the user's own.
 TEST_F(Path2Gcode, APostFromAFile) {
     std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -1,4 +1,4 @@
-// Both ways from G-code to a report are one: through a script, and at once.
+// Both routes from G-code to a report give the same: through a script, and directly.
 
 #include <fstream>
 
@@ -76,7 +76,7 @@ TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
     EXPECT_EQ(r["moves"], 4);
 }
 
-// It runs in pieces, and as a script in one: the pieces are the whole.
+// The program runs in parts, and as a script at once: both give the same report.
 TEST_F(Pipeline, ALongProgramIsOneProgram) {
     std::string program = "G21 G90 F6000\n";
     for (int i = 1; i <= 60'000; ++i) program += "G1 X" + std::to_string(100 + i % 7) + "\n";

@@ -1,4 +1,4 @@
-// What strangers' files may put on a terminal: no control characters, and no more than so much.
+// Limits on what untrusted files may print on a terminal: no control characters, and a limited length.
 
 #include <algorithm>
 

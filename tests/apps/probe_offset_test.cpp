@@ -1,5 +1,5 @@
-// Work frames that a program finds by touches: written by each post, run in a cell with a body, and held
-// against where that body lies.
+// Work frames that a program finds by touches: written by each post, run in a cell with a body, and compared
+// with the position of that body.
 #include <fstream>
 #include <regex>
 
@@ -14,8 +14,8 @@ using nlohmann::json;
 
 const std::string kRouter = tests::source_path("samples/machines/router3.toml");
 
-/// A block with its lower left corner at X 300, Y 100 and its upper face at Z -70, and a ball of 6 mm whose
-/// lowest point is the end of the tool.
+/// A block with its lower left corner at X 300, Y 100 and its upper face at Z -70, and a ball of 6 mm. The
+/// lowest point of the ball is the end of the tool.
 const char* const kCell = R"(
 [cell]
 name = "a block"
@@ -71,7 +71,7 @@ class ProbeOffset : public Apps {
         }
         return xyz;
     }
-    /// Where the only move at feed of the path led.
+    /// Returns the target of the path's only move at feed.
     json cut() const {
         json found;
         std::istringstream lines(read("m.jsonl"));
@@ -83,8 +83,7 @@ class ProbeOffset : public Apps {
     }
 };
 
-// Whatever the control had for the frame, or the program puts there first, behind the touches it is the
-// body's.
+// After the touches the frame is the body's, whatever the controller had for it or the program sets first.
 TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
     for (const std::string dialect : {"ab9", "fanuc", "rs274ngc"}) {
         for (const bool set : {false, true}) {
@@ -112,7 +111,7 @@ TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
     }
 }
 
-// It has no words for where the contact was: its frame is off by how far the machine brakes, v^2 / 2a.
+// grbl has no words for the position of the contact: its frame is off by the braking distance, v^2 / 2a.
 TEST_F(ProbeOffset, GrblsFrameIsWhereTheToolHasComeToRest) {
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], )" + kTouches));
     const Ended ran = run(written("grbl"), "grbl", {"--save-machine-data", "s.txt"});
@@ -141,7 +140,7 @@ TEST_F(ProbeOffset, EachControlSaysItInItsWords) {
         << written("fanuc");
 }
 
-// Nothing there: each control stops, and no frame is moved.
+// The probe meets no body: each controller stops, and no frame is moved.
 TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
     write("p.path.json",
           path_with(R"("probe_offset": [{"axis": "Z", "from_mm": [-50, 20, 15], "to_mm": -10, "surface_mm": 0,

@@ -1,4 +1,4 @@
-// What probes touch: --cell, --probe, a controller module, the recorded path.
+// Targets that probes touch: --cell, --probe, a controller module, the recorded path.
 
 #include <cstdio>
 
@@ -83,7 +83,7 @@ TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
         "G20 F20\nG10 L2 P1 X1 Y1 R90\nG53 G0 X1.9685 Y7.874\nG38.2 Y-20\n(debug,%.4f#5062 "
         "#5070)\nM2\n",
         {"--cell", cell(true)});
-    // Y of the program goes along -X of the machine: its 1 - 195/25.4.
+    // Y of the program runs along -X of the machine: its value is 1 - 195/25.4.
     EXPECT_EQ(debugs(r), fmt::format("{:.4f} 1.0000\n", 1 - 195 / 25.4));
 }
 
@@ -111,7 +111,7 @@ TEST_F(Probe, InTheCellNothingFoundIsAnAlarm) {
     EXPECT_EQ(r["alarm"]["line"], 3);
 }
 
-// The block is moved by the program: the probe finds it where it is then.
+// The program moves the block, and the probe finds it at the new position.
 TEST_F(Probe, FeelsFramesWhereAProgramHasMovedThem) {
     const std::string script = write("part.lua", R"(local _ENV = require "gsim.rs274ngc"
 G21() F(600) G0{x=50, y=200}

@@ -1,5 +1,4 @@
-// Rapids that are not interpolated, from the outside: whatever looks at the way of a move sees the driven
-// one.
+// Rapids that are not interpolated, from the outside: every check of a move's path sees the driven one.
 
 #include <cmath>
 #include <sstream>
@@ -33,7 +32,7 @@ std::string machine_of(bool interpolated, double acceleration_mm_s2) {
     return text + fmt::format("[controller]\ninterpolated_rapids = {}\n", interpolated);
 }
 
-/// A post of 20 by 20 mm, and a ball of 10 mm at the tip.
+/// Returns a post of 20 by 20 mm, and a ball of 10 mm at the TCP.
 std::string post_at(double x_mm, double y_mm) {
     return fmt::format(
         "[cell]\nname = \"post\"\nclearance_mm = 6.0\n[[object]]\nname = \"post\"\nshape = {{ box_mm = "
@@ -111,7 +110,7 @@ TEST_F(Rapids, ZonesAreThoseOfTheDrivenWay) {
     }
 }
 
-// The alarm cuts the segment under way.
+// The alarm cuts the current segment.
 TEST_F(Rapids, AnAlarmStandsOnTheDrivenWay) {
     const std::string zone = write("z.txt", "NCFILE\nSECURITY\n1 150 160 90 110 - - ENTER\nENDFILE\n");
     const json r = report(false, 0, {"--machine-data", zone, "--stop-at-first", "--moves", "m.jsonl"}, 1);
@@ -130,7 +129,7 @@ TEST_F(Rapids, LengthsTrajectoryAndBoundAreOfTheDrivenWay) {
     EXPECT_TRUE(holds(trajectory, "\n0.15,1,150,100,0,1000\n")) << trajectory;
 }
 
-// In steps, with our own planner as a module: it is told the rule.
+// Our own planner runs in steps as a module: the module receives the rule.
 TEST_F(Rapids, ModulesAreToldTheRule) {
     const json r =
         report(false, 1e4,

@@ -1,4 +1,4 @@
-// What may be read by whom: pipes that a file names keep nobody waiting, those of the command line are read.
+// Read permissions: pipes that a file names block no run, those of the command line are read.
 #include <filesystem>
 #include <string>
 

@@ -32,7 +32,7 @@ class RecordedProgram : public Apps {
         EXPECT_EQ(ended.out, "");
         return ended.err;
     }
-    // The last place of a run of the written program.
+    // Returns the last position of a run of the written program.
     std::string last_place(const std::string& program, const std::string& dialect) const {
         const Ended ran = gsim_run({write("again.nc", program), "--dialect", dialect, "--machine-data",
                                     "data.txt", "--quiet", "--moves", "again.jsonl"});
@@ -86,7 +86,7 @@ TEST_F(RecordedProgram, SaysToolsSpeedsSwitchesModesAndFeedsAgain) {
               "N00155 G92.1\nN00160 M02\n%\n");
 }
 
-// Where the control has a word for turns an arc of several comes back as one block, helices included.
+// If the controller has a word for turns, an arc of several turns comes back as one block, helices included.
 TEST_F(RecordedProgram, ArcsOfSeveralTurnsAreOneBlock) {
     record("G21 G90 G0 X10 Y10 Z200\nG2 X10 Y10 I20 J0 P3 F600\nG3 X50 Y10 Z190 I20 J0 P2\nM2\n",
            {"--dialect", "rs274ngc"});
@@ -159,7 +159,7 @@ TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
                       "'work_offset' names '505', which is none of the program's 'work_offsets'"));
 }
 
-// Rotary axes stand where they stood, whole turns included, without an option.
+// Rotary axes keep their positions, full turns included, without an option.
 TEST_F(RecordedProgram, RotaryAxesKeepTheirTurns) {
     record("G21 G90 G0 X0 Y0 Z100\nG0 B350\nG0 B-350\nM30\n");
     EXPECT_TRUE(holds(written(), "B350.000\n")) << written();

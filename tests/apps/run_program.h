@@ -8,9 +8,9 @@
 
 namespace gsim::apps {
 
-/// What came of running a program.
+/// Result of a run of a program.
 struct Ended {
-    int status = -1;  ///< Its exit status; -1 where a signal ended it.
+    int status = -1;  ///< Its exit status; -1 if a signal ended it.
     std::string out;
     std::string err;
 };
@@ -32,7 +32,7 @@ class Apps : public testing::Test {
     std::string write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
     bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-    /// How many files there are, so that none was left behind.
+    /// Returns the number of files, to check that no file was left.
     std::size_t files() const;
 
     std::filesystem::path folder_;

@@ -1,4 +1,4 @@
-// Which words stop which control (docs/stops.md), and that LinuxCNC stops at them as it was recorded to.
+// Words that stop each controller (docs/stops.md); LinuxCNC stops at them as recorded.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -89,13 +89,13 @@ constexpr Word kNgcWords[] = {
     {"", "M51 P1", ""},
     {"", "M52 P1", "L"},
     {"", "M53 P1", ""},
-    // What is said
+    // Messages
     {"", "(MSG,x)", "L"},
     {"", "(DEBUG,x)", "L"},
     {"", "(PRINT,x)", ""},
     {"", "(LOG,x)", ""},
     {"", "(x)", ""},
-    // What plans on
+    // Words planned on
     {"", "G17", ""},
     {"", "G21", ""},
     {"", "G40", ""},
@@ -129,14 +129,14 @@ class Stops : public Apps {
         std::string text = read(tests::source_path("samples/machines/linuxcnc-router.toml"));
         const std::string given = "model = \"linuxcnc-2.9\"";
         text.replace(text.find(given), given.size(), fmt::format("model = \"{}\"", model));
-        // Words that take time of their own are no stops.
+        // Words that take time of their own are not stops.
         const std::size_t times = text.find("[times]");
         text.erase(times, text.find("\n\n", times) - times);
         return write(model + ".toml", text);
     }
     mutable std::map<std::string, double>
         passing_s_;  // without a word, by machine, dialect and what is before
-    // The time that a word adds, in the middle of a straight way.
+    // Returns the time that a word adds, in the middle of a straight path.
     double stop_s(const Word& word, const std::string& dialect, const std::string& machine) const {
         const auto run = [&](std::string_view middle) {
             return time_s(
@@ -183,7 +183,7 @@ TEST_F(Stops, AMachineFileMayHaveRulesOfItsOwn) {
         << wrong.err;
 }
 
-/// Words whose time is that of other programs of LinuxCNC, which is not modelled.
+/// Returns false for words that take the time of other programs of LinuxCNC, which is not modelled.
 bool is_counted(const std::string& word) {
     constexpr std::string_view kNot[] = {"M8", "M9",    // the io program: 30 to 160 ms
                                          "G10 L1",      // the table of tools is written: 60 ms

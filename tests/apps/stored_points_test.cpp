@@ -1,4 +1,4 @@
-// Fixed and reference points of the machine data, from the file to where the machine stands.
+// Fixed and reference points of the machine data, from the file to the position of the machine.
 #include "tests/apps/run_program.h"
 #include "tests/build_files/build_files.h"
 
@@ -34,7 +34,7 @@ TEST_F(StoredPoints, AScriptGoesThereByName) {
               "local _ENV = require \"gsim\"\nprogram(1, function()\nG54() G43{h=1}\nG0{x=10, y=10}\n"
               "G53() G0(fixed \"CLAMP1\")\nM30()\nend)\n");
     EXPECT_EQ(place_after(script, {"--record", "part.path.json"}), kClamp);
-    // What was recorded is a path, and a program of it leads there too.
+    // The recording is a path, and a program of it leads there too.
     const Ended written =
         run_program(tests::program_path("path2gcode"), {"part.path.json", "--quiet"}, folder_);
     ASSERT_EQ(written.status, 0) << written.err;

@@ -1,4 +1,4 @@
-// A page with a finished run in it (--view), by a program that is installed beside a page.
+// Page with a finished run in it (--view), from a program that is installed next to a page.
 
 #include <filesystem>
 #include <fstream>
@@ -22,7 +22,7 @@ const std::string kBehind = "</script>behind</html>\n";
 
 class ViewOutput : public Apps {
   protected:
-    /// A program of its own, with a page where an installation has it.
+    /// Installs a program of its own, with a page in the folder of an installation.
     void install(const std::string& page) const {
         fs::create_directories(folder_ / "here/bin");
         fs::create_directories(folder_ / "here/share/gsim/studio");

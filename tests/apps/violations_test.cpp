@@ -59,8 +59,8 @@ TEST_F(Violations, TheRemedyIsTrue) {
 }
 
 TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
-    // The part is as wide as the range, moves in machine coordinates do not shift, G92 stands where the
-    // machine does.
+    // The part is as wide as the range, moves in machine coordinates do not shift, G92 refers to the
+    // machine's position.
     for (const char* program : {"G0 X-5\nG0 X600\nM30\n", "G53 G0 X-5\nM30\n", "G90 G0 X-5\nX599\nM30\n",
                                 "G10 L2 P1 X-5\nG0 X0\nM30\n"}) {
         const json r = report({"--machine", kRouter, "--dialect", "rs274ngc", write("p.nc", program)}, 1);

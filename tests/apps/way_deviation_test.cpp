@@ -1,4 +1,4 @@
-// How far the report says that the tip leaves the programmed way on the part, against the trajectory.
+// Reported deviation of the TCP from the programmed path on the part, compared with the trajectory.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -36,7 +36,8 @@ double to_lines(const Vector3d& point, const Points& lines) {
     return least;
 }
 
-// Of the one from the other, whichever is farther: for ways that come near themselves nowhere.
+// Returns the larger of both distances of one path from the other, for paths that nowhere come near
+// themselves.
 double apart(const Points& programmed, const Points& driven) {
     double most = 0;
     for (const Vector3d& point : driven) most = std::max(most, to_lines(point, programmed));
@@ -59,7 +60,7 @@ std::string machine(const std::string& controller, const std::string& axes) {
 }
 
 const std::string kThreeSlides = linear("X") + linear("Y") + linear("Z");
-// A table that turns about X carries the part; the tool stands above its axis.
+// A table that turns about X carries the part; the tool is above its axis.
 const std::string kWrap =
     linear("X") + linear("Y") + linear("Z") +
     axis("A",
@@ -73,7 +74,7 @@ class WayDeviation : public Apps {
         Points driven;  // on the part
     };
 
-    // Columns of X, Y, Z and, where there is a table, A; the part turns about X.
+    // Runs a program with columns of X, Y, Z and, if the machine has a table, A; the part turns about X.
     Run run(const std::string& machine_text, const std::string& program) {
         const std::string machine_file = write("m.toml", machine_text);
         const std::string file = write("part.ngc", program);
@@ -112,7 +113,7 @@ struct Zigzag {
     Points points;
 };
 
-// Lines that turn by little, so that the way comes near itself nowhere.
+// Returns lines that turn by little, so that the path nowhere comes near itself.
 Zigzag zigzag(unsigned seed, double length_mm, int lines) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> heading(-1.2, 1.2), share(0.3, 1.7);
@@ -210,7 +211,7 @@ TEST_F(WayDeviation, OnATurningPartIsThatOfTheTip) {
             from = to;
         }
         Run made = run(machine(controller, kWrap), program + "M2\n");
-        std::erase_if(made.driven, [](const Vector3d& at) { return at.norm() < 399.9; });  // on the way up
+        std::erase_if(made.driven, [](const Vector3d& at) { return at.norm() < 399.9; });  // on the path up
         const double wanted_mm = apart(programmed, made.driven);
         EXPECT_GT(wanted_mm, 0.5) << controller;
         EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), wanted_mm, 0.01 * wanted_mm)

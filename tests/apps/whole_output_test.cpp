@@ -16,7 +16,7 @@ constexpr const char* kFull = "cannot write standard output: No space left on de
 
 class WholeOutput : public Apps {
   protected:
-    /// What comes of a line of the shell, in which $G is gsim.
+    /// Runs a line of the shell, in which $G is gsim.
     Ended shell(const std::string& line) const {
         return run_program("/bin/sh", {"-c", fmt::format("G='{}'; {}", tests::program_path("gsim"), line)},
                            folder_);
@@ -140,7 +140,7 @@ TEST_F(WholeOutput, StandardErrorThatIsFullIsNoMatter) {
     EXPECT_EQ(shell("$G check part.nc nowhere.nc 2>/dev/full").status, 2);
 }
 
-// More than a pipe holds, to a reader that reads nothing.
+// The output is more than a pipe holds, to a reader that does not read.
 TEST_F(WholeOutput, APipeWithoutAReader) {
     const std::string run = "$G run --quiet --step 0.0001 --trajectory - --moves m.jsonl part.nc";
     const Ended killed = shell("{ " + run + "; echo $? >status; } | true");

@@ -1,4 +1,4 @@
-// gsim-batch as people run it: twice, with a change in between, cut off, with programs that are wrong.
+// gsim-batch as users run it: twice, with a change in between, interrupted, with faulty programs.
 
 #include <csignal>
 #include <cstdlib>
@@ -52,7 +52,7 @@ class BatchProgram : public apps::Apps {
     }
 };
 
-/// From rest to rest over a way at a feed of 10 mm/s, with 1000 mm/s2.
+/// Returns the time between standstills over a distance at a feed of 10 mm/s, with 1000 mm/s2.
 double time_s(double way_mm, double feed_mm_s = 10, double acceleration_mm_s2 = 1000) {
     return way_mm / feed_mm_s + feed_mm_s / acceleration_mm_s2;
 }
@@ -92,7 +92,7 @@ TEST_F(BatchProgram, RunsNothingTwiceAndWhatHasChangedAlone) {
     write("p1.ngc", "G21 G90 G94 F600\nG1 X500\nM2\n");
     EXPECT_THAT(batch(words).err, HasSubstr("1 run"));
     EXPECT_NEAR(number("SELECT cycle_time_s FROM latest WHERE program LIKE '%p1.ngc'"), time_s(500), 1e-9);
-    // What a program calls counts as well: it is known from the run before.
+    // A program that another one calls counts as well: it is known from the run before.
     write("o100.ngc", "o<o100> sub\nG1 X25\no<o100> endsub\n");
     EXPECT_THAT(batch(words).err, HasSubstr("1 run"));
     EXPECT_NEAR(number("SELECT cycle_time_s FROM latest WHERE program LIKE '%calls.ngc'"), time_s(25), 1e-9);
@@ -129,7 +129,7 @@ values = [50, 100]
     }
 }
 
-// Of the machine that is built in; and of one that the cell names, which is another setting.
+// Settings reach the built-in machine; the cell names another machine, which is another setting.
 TEST_F(BatchProgram, SettingsReachTheMachineOfTheCellAndTheOneBuiltIn) {
     write("m.toml", kSlide);
     std::string fast = kSlide;
@@ -174,7 +174,7 @@ values = [50, 50, 100]
     EXPECT_EQ(number("SELECT count(*) FROM run"), 2);
 }
 
-// A module has no controller of ours, and runs in a process beside.
+// A module has no controller of ours, and runs in a separate process.
 TEST_F(BatchProgram, AModuleMayPlan) {
     write_programs(1);
     write("plan.toml",
@@ -252,7 +252,8 @@ TEST_F(BatchProgram, PagesHaveTheFinishedRunOfWhatFails) {
     EXPECT_THAT(links, HasSubstr("<a href=\"views/" + view + "\">"));
 }
 
-// Killed in its middle, as by a power cut: what was there stays, the same command goes on.
+// The batch is killed in its middle, as by a power cut: existing results stay, and the same command
+// continues.
 TEST_F(BatchProgram, GoesOnWhereItWasCutOff) {
     write("m.toml", kSlide);
     write_programs(3);
@@ -326,7 +327,7 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_THAT(batch({"--slurm"}).err, HasSubstr("name a plan"));
 }
 
-#ifndef GSIM_SANITIZED  // which takes all addresses that there are
+#ifndef GSIM_SANITIZED  // which reserves all available addresses
 TEST_F(BatchProgram, MemoryIsBounded) {
     write("good.ngc", "G21 F600\nG1 X10\nM2\n");
     write("m.toml", kSlide);

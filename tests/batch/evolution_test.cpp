@@ -1,5 +1,5 @@
-// The evolution strategy against functions whose least value is known, and the counts of trials that its
-// author publishes for them.
+// The evolution strategy against functions with a known minimum, and the counts of trials that its author
+// publishes for them.
 #include "batch/search/evolution.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(Evolution, TakesAsManyTrialsAsPublished) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         EXPECT_LT(least_of(sphere, 10, 1e-6, 2'000, seed).value, 1e-6) << seed;
         EXPECT_LT(least_of(ellipsoid, 10, 1e-3, 7'000, seed).value, 1e-3) << seed;
-        // One time in some ten it ends in the other valley, as told there: 4 is the value of that.
+        // About once in ten runs it ends in the other valley, as documented there: 4 is the value of that.
         const double value = least_of(rosenbrock, 10, 1e-5, 9'000, seed).value;
         EXPECT_TRUE(value < 1e-5 || std::abs(value - 3.9866) < 0.1) << value;
     }

@@ -1,5 +1,6 @@
-// gsim-batch and gsim-optimise where what they write does not find room: a limit on the size of files stands
-// for a disk that fills up, as it needs no one's leave. A byte more room, and the fault comes a call later.
+// gsim-batch and gsim-optimise if their output does not fit on the disk. A limit on the size of files
+// simulates a full disk, because it needs no permission. With a byte more of space, the error comes a call
+// later.
 
 #include <map>
 
@@ -36,7 +37,7 @@ class FullDisk : public apps::Apps {
         write(name, fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", way_mm));
     }
 
-    /// Runs a program with files of so many KiB at most. What it says on standard error finds room.
+    /// Runs a program with files of at most `room_kib` KiB. Standard error is not limited.
     Ended within(int room_kib, const std::string& program, const std::string& words) const {
         const std::string command =
             fmt::format("set -o pipefail; (trap '' XFSZ; ulimit -f {}; exec {} {}) 2>&1 >/dev/null | cat >&2",
@@ -47,7 +48,7 @@ class FullDisk : public apps::Apps {
         return apps::run_program(tests::program_path("gsim-batch"), words, folder_);
     }
 
-    /// What each program of the latest batch comes to.
+    /// Returns the result of each program of the latest batch.
     std::map<std::string, std::string> rows(const std::string& file) const {
         auto results = Database::open((folder_ / file).string(), true);
         EXPECT_TRUE(results) << results.error();
@@ -91,7 +92,7 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
     EXPECT_EQ(whole, 2) << "with enough room all is well";
 }
 
-// Rows that are there stay, whatever comes behind them.
+// Existing rows stay, whatever comes after them.
 TEST_F(FullDisk, KeepsTheRowsThatAreThere) {
     ASSERT_EQ(batch({"--machine", "m.toml", "p.ngc", "--results", "r.sqlite"}).status, 0);
     const auto before = rows("r.sqlite");
@@ -118,7 +119,7 @@ TEST_F(FullDisk, LeavesOutputsAsTheyWere) {
     EXPECT_THAT(pages.err, AllOf(HasSubstr("site/"), HasSubstr(kReason)));
 }
 
-// A log on a full disk ends no batch, and a refusal stays one.
+// A log on a full disk ends no batch, and an error remains one.
 TEST_F(FullDisk, OfStandardErrorEndsNothing) {
     write("search.toml", kOverride);
     const auto unheard = [&](const std::string& words) {

@@ -8,7 +8,8 @@
 
 namespace gsim::batch {
 
-/// The one number that a query of a file of results comes to; none while there is no such file or table.
+/// Returns the one number that a query of a file of results yields, or none as long as the file or table is
+/// missing.
 inline std::optional<double> one_number(const std::filesystem::path& file, const std::string& query) {
     auto results = Database::open(file.string(), true);
     if (!results) return std::nullopt;

@@ -52,7 +52,7 @@ class OptimiseProgram : public apps::Apps {
     }
 };
 
-/// From rest to rest over 20 mm at a share of 10 mm/s.
+/// Returns the time between standstills over 20 mm at a share of 10 mm/s.
 double slide_s(double percent) {
     const double feed_mm_s = percent / 10;
     return 20 / feed_mm_s + feed_mm_s / 1000;
@@ -122,7 +122,7 @@ TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
         << "nothing was run twice";
 }
 
-/// Slots on a line, in no good order, each with a feed and a rapid of its own.
+/// Returns slots on a line, in no good order, each with a feed and a rapid of its own.
 std::string slots() {
     json root = json::array(), paths = json::array();
     for (const int x : {300, 100, 400, 200, 50}) {
@@ -160,7 +160,7 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
     EXPECT_EQ(found()["best"]["value"].get<double>(),
               number("SELECT min(cycle_time_s) FROM latest", "all.sqlite"));
     EXPECT_LT(found()["best"]["value"].get<double>(), found()["start"]["value"].get<double>());
-    // What is written does it by itself.
+    // The written program has the same result by itself.
     const Ended again = apps::run_program(
         tests::program_path("gsim-run"),
         {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
@@ -168,8 +168,8 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
     EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
 }
 
-// On the thesis's gantry: the plate with its clamps and the program are put where the rotary axes' limits
-// cost least, and nothing comes nearer than the cell asks for.
+// On the thesis's gantry, the plate with its clamps and the program are placed where the rotary axes' limits
+// cost least. No body comes nearer than the cell permits.
 TEST_F(OptimiseProgram, PlacesTheWheel) {
 #ifdef GSIM_SANITIZED
     GTEST_SKIP() << "bodies are looked at ten times as long there";
@@ -195,7 +195,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     EXPECT_NEAR(report["length"]["jet_on_mm"], 3183.626, 0.01) << "what is cut is the same";
 }
 
-// Files that are written lie elsewhere, and mean the same there; values that look like names of files stay.
+// Written files are in another folder, and mean the same there; values that look like names of files stay.
 TEST_F(OptimiseProgram, WritesFilesThatMayLieElsewhere) {
     write_slide();
     write("slide", "");
@@ -265,7 +265,7 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_THAT(optimise({"plan.toml", "--results", "plan.toml"}).err, HasSubstr("plan.toml"));
     EXPECT_EQ(read("plan.toml"), kOverride);
     EXPECT_THAT(optimise({"plan.toml", "--best", "m.toml", "--variants", "5"}).err, HasSubstr("m.toml"));
-    // What somebody else has there stays.
+    // Existing files of others stay.
     write("slots.path.json", slots());
     write("slots.nc", "mine\n");
     write(

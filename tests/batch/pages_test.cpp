@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A run as a test tells it; two that are told the same are one run.
+/// Run as a test describes it; two equal descriptions are one run.
 struct Told {
     std::string program;
     double time_s = 10;
@@ -75,7 +75,7 @@ std::string text_in(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// All text below a node, pieces with a blank between.
+/// Returns all text below a node, parts separated by a blank.
 std::string words_of(const pugi::xml_node& node) {
     std::string words;
     if (node.type() == pugi::node_pcdata) words = node.value();
@@ -257,7 +257,7 @@ TEST_F(Pages, SayWhyARunIsAnotherOne) {
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("old.stl looked for, and not there"));
 }
 
-// Where a remark was added above, the same finding stands on another line.
+// If a remark was added above, the same finding is on another line.
 TEST_F(Pages, DoNotTakeAnotherLineForAnotherFinding) {
     batch({{.program = "a.nc", .cause = "feed"}});
     batch({{.program = "a.nc", .cause = "feed", .program_sha256 = "3"}});
@@ -340,7 +340,7 @@ TEST_F(Pages, TakeNamesOfAnyKind) {
         EXPECT_LT(page_name(name).size(), 100U);
         EXPECT_EQ(words_of(pages_.at(page_name(name)).select_node("//h1").node()), name);
     }
-    // What turns the direction of a text, or moves a cursor, is written out.
+    // Characters that turn the direction of a text, or move a cursor, are written out.
     batch({{.program = "\u202egnp.nc"}});
     write_and_read();
     EXPECT_EQ(words_of(pages_.at(page_name("\u202egnp.nc")).select_node("//h1").node()), "\\u202egnp.nc");
@@ -405,7 +405,7 @@ TEST_F(Pages, NeedAFolderAndABatch) {
     EXPECT_THAT(written.error(), HasSubstr("r.sqlite/site"));
 }
 
-// In a file of results as machines share it who writes waits for whoever has not ended to read.
+// In a file of results that machines share, a writer waits for readers that have not finished.
 TEST_F(Pages, LeaveNothingOpenBehindThem) {
     batch({{.program = "a.nc"}});
     ASSERT_TRUE(Results::open(file_, Journal::rollback));
@@ -433,7 +433,7 @@ TEST_F(Pages, OfManyRunsAreInParts) {
     EXPECT_THAT(words_of(front()), HasSubstr("1899 more are left out here.")) << "of 2,099 that are gone";
 }
 
-// Of 60 variants those that fail have their details, wherever they stand.
+// The failed ones of 60 variants have their details, at any position.
 TEST_F(Pages, OfManyVariantsHaveDetailsOfThoseThatFail) {
     std::vector<Told> runs;
     for (int i = 0; i < 60; ++i)

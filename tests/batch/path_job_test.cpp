@@ -45,7 +45,7 @@ TEST(PathJob, SaysWhatKeysThereAre) {
         EXPECT_THAT(fault_of_path_key(key), HasSubstr("path.place.x_mm")) << key;
 }
 
-// Where it lies changes where the axes go, not how far the tool goes while it cuts.
+// The position of the path changes where the axes move, not how far the tool moves while it cuts.
 TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
     JobRunner runner;
     const RunRow as_it_is = runner.run(wheel_job({}));
@@ -54,7 +54,7 @@ TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
     ASSERT_TRUE(placed.is_clean()) << placed.message;
     EXPECT_NEAR(placed.jet_on_mm, as_it_is.jet_on_mm, 1e-2) << "but for what is rounded in the program";
     EXPECT_EQ(placed.blocks, as_it_is.blocks);
-    // The rim's upper end lies 300 mm further: the first cut is the one that goes farthest.
+    // The rim's upper end lies 300 mm further: the first cut reaches farthest.
     EXPECT_THAT(placed.extents, HasSubstr("1015.8997"));
     EXPECT_GT(placed.cycle_time_s, as_it_is.cycle_time_s) << "it is farther from home";
 }
@@ -78,7 +78,8 @@ TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
     const RunRow moved = runner.run(job);
     ASSERT_TRUE(moved.is_clean()) << moved.message;
     EXPECT_THAT(moved.extents, HasSubstr("\"X\":[0.0,965.8997")) << "250 mm further than the path has it";
-    // About the middle of the wheel, 500, 500: the rim's first point goes from below to the right.
+    // The turn is about the middle of the wheel, 500, 500: the rim's first point moves from below to the
+    // right.
     job.settings = {{"cell.frame.wheel centre.frame.roll_deg", 90}};
     const RunRow turned = runner.run(job);
     ASSERT_TRUE(turned.is_clean()) << turned.message;
@@ -87,8 +88,7 @@ TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
 }
 
 #ifndef GSIM_SANITIZED  // bodies are looked at two hundred times as long there
-// All that stands on the frame goes along: nothing else touches then. Without the path the cell alone is
-// moved.
+// All objects on the frame move along: no other body touches then. Without the path the cell alone is moved.
 TEST(PathJob, APathAndItsCellGoTogether) {
     JobRunner runner;
     const RunRow moved =
@@ -157,7 +157,7 @@ TEST(PathJob, FiguresThatAreAskedFor) {
     EXPECT_NEAR(row.joint_speed_share.value(), 1, 1e-9) << "B turns at its limit";
     EXPECT_GT(row.lower_bound_s.value(), 0);
     EXPECT_LE(row.lower_bound_s.value(), row.cycle_time_s);
-    // At a tenth of the feed along one straight line nothing is near its limit.
+    // At a tenth of the feed along one straight line no joint is near its limit.
     const fs::path folder = fs::temp_directory_path() / ("gsim-path-job-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     const std::string line = (folder / "line.nc").string();

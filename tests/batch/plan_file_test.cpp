@@ -115,7 +115,7 @@ TEST_F(PlanFile, SaysWhereItIsWrong) {
                 HasSubstr("factors are of"));
 }
 
-// What stands for others in a pattern may be in the name of a folder.
+// The name of a folder may contain the wildcards of a pattern.
 TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
     const fs::path odd = folder_ / "job [5] *";
     fs::create_directories(odd / "deep");

@@ -104,7 +104,7 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     ASSERT_TRUE(results->end_batch(true));
 }
 
-// A crash tells nothing of what was read: a run that came to its end is better.
+// A crash does not report what was read, so a run that came to its end is better.
 TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
@@ -207,7 +207,7 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
         return file;
     };
     const std::vector<std::string> shards{file_with("a", 0, 3), file_with("b", 3, 5)};
-    // A task that was put back has begun a batch, and ended before it had noted a run.
+    // A requeued task has begun a batch, and ended before it had recorded a run.
     {
         auto again = Results::open(shards[0], Journal::rollback);
         ASSERT_TRUE(again->begin_batch("plan", 3, "v"));
@@ -220,7 +220,7 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
         for (const std::string& shard : shards) taken += results->take_over(shard).value_or(99);
         EXPECT_EQ(taken, turn == 0 ? 5U : 0U);
     }
-    // One that was killed before it had tables, and one that is none.
+    // One file is of a task killed before it had tables, the other is no database.
     ASSERT_TRUE(Database::open((folder_ / "empty").string())->execute("PRAGMA user_version = 0"));
     EXPECT_EQ(results->take_over((folder_ / "empty").string()).value_or(99), 0U);
     std::ofstream(folder_ / "damaged") << std::string(5000, 'x');
@@ -239,7 +239,7 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
     }
 }
 
-// As it is copied to where nobody may write, with a name that a URI has to spell.
+// The file is a copy in a read-only folder, with a name that needs escapes in a URI.
 TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
     const fs::path odd = folder_ / "odd 50% #1?";
     fs::create_directories(odd);
@@ -258,7 +258,7 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
     fs::permissions(odd, fs::perms::owner_all);
 }
 
-// A run without what is wanted of it is made again.
+// A run without the requested output is repeated.
 TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));

@@ -1,4 +1,4 @@
-// Plans of searches, what they count, and how a search goes on, with runs of a closed form.
+// Plans of searches, their counts, and the progress of a search, with runs of a closed form.
 #include "batch/search/search.h"
 
 #include <cmath>
@@ -95,7 +95,7 @@ RunRow clean(double time_s) {
     return {.status = "completed", .cycle_time_s = time_s, .extents = "{}", .findings = "[]"};
 }
 
-/// Least at 1, -2, where it is 10.
+/// Returns a run with its minimum, 10, at 1, -2.
 RunRow bowl(const Job& job) {
     return clean(10 + std::pow(setting(job, 0) - 1, 2) + 4 * std::pow(setting(job, 1) + 2, 2));
 }
@@ -142,15 +142,15 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
     EXPECT_EQ(search(*plan, bowl)->tried, 0U);
 }
 
-// The least of the bowl is not allowed: behind a line a run fails, and a limit keeps a figure.
+// The minimum of the bowl is not allowed: beyond a line a run fails, and a limit bounds a value.
 TEST_F(SearchFile, KeepsToWhatIsAllowed) {
     const std::string text = std::string(kPlan) + "[[limit]]\nfigure = \"clearance_mm\"\nleast = 1\n";
     auto plan = read(text);
     ASSERT_TRUE(plan) << plan.error();
-    plan->variants = 400;  // in a corner of two limits it goes by smaller steps
+    plan->variants = 400;  // in a corner of two limits it takes smaller steps
     const auto fenced = [](const Job& job) {
         RunRow row = bowl(job);
-        row.clearance_mm = 2 - setting(job, 0);  // a of 1 at most
+        row.clearance_mm = 2 - setting(job, 0);  // a is at most 1
         if (setting(job, 1) < -1) {
             row.cause = "collision";
             row.collisions = 3;
@@ -196,7 +196,7 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     EXPECT_LT(violation(early), violation(refused));
 }
 
-// A run that was not made has no figure, least of all a good one.
+// A run that was not made has no value, least of all a good one.
 TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
     const auto plan = read(kPlan);
     const auto state = search(*plan, [](const Job& job) {
@@ -261,7 +261,7 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     text.replace(text.find("\"p.nc\""), 6, "\"p.nc\", \"q.nc\"");
     const auto plan = read(text);
     ASSERT_TRUE(plan) << plan.error();
-    // Each has its least elsewhere; the sum has it halfway.
+    // Each program has its minimum elsewhere; the sum has it halfway.
     const auto state = search(*plan, [](const Job& job) {
         return clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
     });
@@ -284,7 +284,7 @@ TEST_F(SearchFile, FindsAnOrder) {
     std::string text = kPlan;
     text.erase(text.find("[[setting]]"));
     text += "[[setting]]\nkey = \"path.order\"\norders = 5\n";
-    // The way through points on a line, in any order; 4 there and back is the least.
+    // Path through points on a line, in any order; 4 there and back is the minimum.
     const auto plan = read(text);
     ASSERT_TRUE(plan) << plan.error();
     const auto state = search(*plan, [](const Job& job) {

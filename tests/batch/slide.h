@@ -2,7 +2,7 @@
 
 namespace gsim::batch {
 
-/// A machine of one axis, whose times are closed forms.
+/// Machine of one axis with closed-form times.
 inline constexpr const char* kSlide = R"([machine]
 name = "slide"
 [program]

@@ -28,7 +28,7 @@ TEST(Summary, HasTheMeanAndItsInterval) {
     EXPECT_NEAR(*summary.mean_interval.most - 5.5, 2.2621571628 * 3.0276503541 / std::sqrt(10.0), 1e-8);
     EXPECT_DOUBLE_EQ(summary.percentiles[3].value, 5.5);
     EXPECT_DOUBLE_EQ(summary.percentiles[2].value, 3.25) << "type 7 of Hyndman and Fan";
-    // Of ten values the second and the ninth are the narrowest that hold the median with 95 % (97.9 %).
+    // The second and the ninth of ten values are the narrowest that hold the median with 95 % (97.9 %).
     EXPECT_EQ(summary.percentiles[3].interval.least, 2);
     EXPECT_EQ(summary.percentiles[3].interval.most, 9);
     EXPECT_FALSE(summary.percentiles[0].interval.least) << "ten runs do not tell how little there may be";
@@ -37,7 +37,7 @@ TEST(Summary, HasTheMeanAndItsInterval) {
     EXPECT_FALSE(one.mean_interval.least);
 }
 
-// 1 - 0.025^(1/n) for none of n; and 5 of 50, by the tables of Clopper and Pearson.
+// The interval is 1 - 0.025^(1/n) for none of n; for 5 of 50 it is that of the tables of Clopper and Pearson.
 TEST(Share, HasItsInterval) {
     EXPECT_EQ(*share_interval(0, 300).least, 0);
     EXPECT_NEAR(*share_interval(0, 300).most, 1 - std::pow(0.025, 1.0 / 300), 1e-12);
@@ -79,8 +79,8 @@ TEST(Histogram, CountsEachValueOnce) {
     EXPECT_EQ(convergence(values).back().count, values.size());
 }
 
-// A line of 40 mm from rest to rest at 1000 mm/s2, at a feed of 10 mm/s by an override from 40 to 160
-// percent: it takes 40 / v + v / 1000 s, the less the faster.
+// Line of 40 mm from standstill to standstill at 1000 mm/s2, at a feed of 10 mm/s with an override from 40 to
+// 160 percent. It takes 40 / v + v / 1000 s, less at higher speed.
 class ClosedForm : public testing::Test {
   protected:
     ClosedForm() {
@@ -105,8 +105,8 @@ class ClosedForm : public testing::Test {
         return plan;
     }
 
-    /// The first seeds show that runs take what the closed form says; statistics of more seeds are made of
-    /// that alone.
+    /// Number of the first seeds that are run, to show that runs take the closed-form time; statistics of
+    /// more seeds use the closed form alone.
     static constexpr std::uint64_t kSeedsRun = 5;
 
     std::vector<double> times_s(Sampling sampling, std::uint64_t runs, std::uint64_t seed) {
@@ -200,7 +200,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     EXPECT_EQ(comparisons->front().pairs, 80U);
     EXPECT_EQ(comparisons->front().slower, 79U);
     EXPECT_EQ(comparisons->front().fails_first, 1U);
-    // v / 500 in place of v / 1000, of v from 4 to 16 mm/s.
+    // The difference is that of v / 500 and v / 1000, for v from 4 to 16 mm/s.
     EXPECT_NEAR(comparisons->front().difference_s.mean, 0.010, 0.0005);
     EXPECT_FALSE(compare_batches(*database, 0)) << "there is none before";
     EXPECT_THAT(to_html(*studies, *comparisons), HasSubstr("<svg"));

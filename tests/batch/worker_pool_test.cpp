@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A worker in sh: it answers jobs as a real one would, and does as programs of some names say.
+/// Worker in sh: it answers jobs like a real one, and obeys the names of some programs.
 constexpr const char* kWorker = R"(
 while IFS= read -r line; do
     number=$(expr "$line" : '.*"number":\([0-9]*\)')
@@ -81,7 +81,7 @@ TEST(WorkerPool, AWorkerThatEndsCostsTheRowOfItsJobAlone) {
     }
 }
 
-// Another one tries it again, as it may have been no fault of the job's.
+// Another worker retries the job, because the job may not be the cause.
 TEST(WorkerPool, WhatOthersEndIsTriedAgainButNotForEver) {
     const auto rows = run_all({"a.nc", "ended", "a.nc", "a.nc"}, 2);
     EXPECT_EQ(rows.at(1).status, "crashed");

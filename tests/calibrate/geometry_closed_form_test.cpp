@@ -1,4 +1,4 @@
-// Geometry that can be written down: what is found is what was put in.
+// Geometry in closed form: the fit finds the values that were put in.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -50,7 +50,7 @@ machine::Machine sample(const std::string& name) {
     return machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
 }
 
-/// Tips of a formula at poses spread over a machine's ranges.
+/// Returns TCPs of a formula at poses spread over a machine's ranges.
 template <class Formula>
 std::vector<MeasuredTip> tips_of(const machine::Machine& machine, Formula formula) {
     std::vector<MeasuredTip> tips = spread_poses(machine, 1, 30, false);
@@ -76,7 +76,7 @@ GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTi
     return fit_geometry(machine, tips, options).value();
 }
 
-// Y leans towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X goes 100 ppm too far.
+// Y is tilted towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X moves 100 ppm too far.
 TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
     const double lean = 4e-4, back = 3e-4;
     const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
@@ -111,14 +111,14 @@ TEST(GeometryClosedForm, ATableThatTurnsBesideItsMiddle) {
     EXPECT_NEAR(value_of(fit, "C shift_y_mm"), -0.07, 1e-6);
     EXPECT_NEAR(value_of(fit, "X zero_mm"), 0, 1e-6);
     EXPECT_NEAR(value_of(fit, "C tilt_x_deg"), 0, 1e-7);
-    // The file says it as the place of the axis, and of the work frame back from there.
+    // The file states it as the position of the axis, and of the work frame back from there.
     const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml").value();
     EXPECT_NEAR(read.axes[3].frame->x_mm, 0.12, 1e-6);
     EXPECT_NEAR(read.work.x_mm, -0.12, 1e-6);
     EXPECT_NEAR(read.work.y_mm, 0.07, 1e-6);
 }
 
-// Programs read the file that was written: its tips are those of the fit, whatever joints are told by.
+// Programs read the written file: its TCPs are those of the fit, however joints are defined.
 TEST(GeometryClosedForm, TheFileIsTheMachine) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "gantry-offset-head"}) {
         const machine::Machine machine = sample(name);
@@ -141,8 +141,8 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
     }
 }
 
-// Points tell nothing of how the tool is turned: poses of the file can still be reached where slides are
-// found to lie askew.
+// Points do not show how the tool is turned: poses of the file can still be reached if slides are found to
+// lie askew.
 TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
     const Eigen::Matrix3d askew = Eigen::AngleAxisd(6e-4, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
@@ -158,7 +158,7 @@ TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
     EXPECT_TRUE(kinematics->forward(*joints).isApprox(pose, 1e-9));
 }
 
-// One joint's line moves, and nothing else does while all stand at zero.
+// One joint's line moves, and no other part does while all joints are at zero.
 TEST(GeometryClosedForm, ALineMovesAlone) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "mill-head-table", "unlimited"}) {
         const machine::Machine machine = sample(name);
@@ -193,7 +193,7 @@ TEST(GeometryClosedForm, NoiseIsFoundAndOutliersCountForLittle) {
     }
 }
 
-// X bends by a tenth of a millimetre, which no straight slide does; turns are told without their noise.
+// X curves by a tenth of a millimetre, which no straight slide does; turns are given without their noise.
 TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 40, true, {}).value();
@@ -256,7 +256,7 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
               "these tips tell nothing of the machine's geometry: there are too few, or all is held");
 }
 
-// With the table LinuxCNC sends the motor to nominal + (nominal - forward): then the axis is where it should
+// With the table LinuxCNC sends the motor to nominal + (nominal - forward). The axis is then where it should
 // be, to the square of the scale's error.
 TEST(GeometryClosedForm, CompensationBringsAxesHome) {
     const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
@@ -278,7 +278,7 @@ TEST(GeometryClosedForm, CompensationBringsAxesHome) {
     EXPECT_EQ(last, 300);
 }
 
-// The tip is at the work frame's origin where the readings are those of the line.
+// The TCP is at the work frame's origin if the readings are those of the line.
 TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
     const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] - 0.25, axes[1] + 0.5, axes[2] - 0.125);
@@ -307,7 +307,7 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
         const auto [count, best] = log_volume(suggested);
         const auto [same, even] = log_volume(spread_poses(machine, 1, 40, true));
         EXPECT_EQ(count, same);
-        // Of an arm poses that are spread evenly tell nearly as much already.
+        // For an arm, evenly spread poses show nearly as much already.
         EXPECT_LT(best, even - 0.1 * static_cast<double>(count)) << "a tenth less of each one's variance";
         for (const MeasuredTip& pose : suggested) {
             for (std::size_t i = 0; i < machine.axes.size(); ++i) {

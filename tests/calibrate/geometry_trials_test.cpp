@@ -1,4 +1,4 @@
-// Machines whose geometry is hidden, found again from noisy tips: all sample machines, a hundred times each.
+// Machines with hidden geometry, recovered from noisy TCPs: all sample machines, a hundred times each.
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -30,8 +30,8 @@ constexpr Noise kNoise{.mm = 0.005, .deg = 0.0015};
 constexpr Noise kNone{.mm = 0, .deg = 0};
 constexpr double kHiddenShare = 0.2;  // of usual sizes: 0.1 mm, 0.02 deg, 200 ppm
 
-/// What a geometry is made of: joints and where they can go, whatever their letters. Axes that carry nothing
-/// are no part of it.
+/// Returns the definition of a geometry: joints and where they can move, whatever their letters. Axes that
+/// carry no link are not part of it.
 std::string geometry_of(const machine::Machine& machine) {
     machine::Machine bare;
     bare.base = machine.base;
@@ -78,13 +78,13 @@ double three_sigma_of(double count) {
     return count * std::pow(1 - part + 2.782 * std::sqrt(part), 3);
 }
 
-/// What trials have shown.
+/// Results of trials.
 struct Tally {
-    std::map<std::string, int> within;  ///< How often each deviation was within 3 standard deviations.
-    int together = 0;                   ///< How often all were, as one vector.
+    std::map<std::string, int> within;  ///< Hits of each deviation within 3 standard deviations.
+    int together = 0;                   ///< Trials with all within, as one vector.
     double before_um = 0, left_um = 0;  ///< Root mean squares over all trials.
     double fresh_um = 0;
-    double fresh_worst_um = 0;  ///< Of a trial.
+    double fresh_worst_um = 0;  ///< Max of all trials.
     double exact_um = 0;
     std::size_t count = 0;
 };
@@ -106,8 +106,8 @@ class Trials {
     }
 
   private:
-    // All that may be off is off. Many of that cannot be told apart, so the truth is what tips without noise
-    // say of those that can.
+    // All parameters that may be off are off. Many of them cannot be distinguished, so the truth is the fit
+    // to TCPs without noise.
     void run(std::uint64_t seed) {
         const Geometry hidden = deviated_.at(all_, drawn_values(all_, kHiddenShare, 2 * seed));
         const GeometryOptions options{.choice = {}, .noise_mm = kNoise.mm, .noise_deg = kNoise.deg};
@@ -163,7 +163,7 @@ void expect_found_again(const std::string& name, const machine::Machine& machine
         least = std::min(least, times);
     }
     EXPECT_GE(tally.together, kLeastWithin);
-    // Of 3 errors a tip, as many are used up as there are deviations; orientation has its own 3.
+    // Each TCP has 3 errors, of which as many are used up as deviations exist; orientation has its own 3.
     const double floor_um = 1000 * kNoise.mm * std::sqrt(3);
     EXPECT_LT(tally.left_um, floor_um);
     EXPECT_GT(tally.left_um,

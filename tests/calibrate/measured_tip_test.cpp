@@ -1,4 +1,4 @@
-// Lists of measured tips.
+// Lists of measured TCPs.
 
 #include "calibrate/geometry/measured_tip.h"
 
@@ -29,7 +29,7 @@ TEST(MeasuredTips, ColumnsInAnyOrder) {
                           mill())
                           .value();
     ASSERT_EQ(list.tips.size(), 1U);
-    EXPECT_EQ(list.tips[0].readings, (std::vector<double>{10, -5, 450, -30, 90}));  // Z stands at home
+    EXPECT_EQ(list.tips[0].readings, (std::vector<double>{10, -5, 450, -30, 90}));  // Z is at home
     EXPECT_EQ(list.tips[0].tip.translation(), Eigen::Vector3d(1, 2, 3));
     EXPECT_FALSE(list.tips[0].has_orientation);
     EXPECT_EQ(list.tips[0].sigma_mm, 0.002);

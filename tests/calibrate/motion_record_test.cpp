@@ -84,7 +84,8 @@ TEST(MotionRecord, SaysWhatIsWrong) {
     EXPECT_FALSE(read_motion_record(std::string("\0\0<Pos:|\xff", 9), {}));
 }
 
-/// From 0 to 10 mm along x in 1 s, a corner, 10 mm along y in 2 s; it stands before and behind.
+/// Returns samples from 0 to 10 mm along x in 1 s, a corner, 10 mm along y in 2 s. It stands still before and
+/// after.
 std::vector<MotionSample> corner() {
     std::vector<MotionSample> samples;
     for (int i = 0; i <= 50; ++i) {

@@ -1,4 +1,4 @@
-// Moves that are planned anew take as long as the program that is run anew.
+// Moves that are replanned take as long as the program that is rerun.
 
 #include "calibrate/times/predictor.h"
 
@@ -73,7 +73,7 @@ constexpr const char* kPrograms[] = {
     "G4 P0.25\nG64 P0.05\nG10 L2 P1 X5\nG1 X20 Y20 F1000\nG3 X20 Y20 I-5 J0\nM3 S1000\nG0 Z5\nM2\n",
     // Stops, cycles, drilling.
     "G21 G90\nG0 X1\nM8\nG0 X50 Y50\nG81 X60 Y60 Z-5 R2 F500\nX70\nG80\nM9\nG0 X0 Y0\nM2\n",
-    // A probing move: it cannot be planned anew.
+    // A probing move cannot be replanned.
     "G21 G90\nG38.2 Z-10 F100\nG0 Z5\nM2\n",
 };
 
@@ -128,7 +128,7 @@ TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
     }
 }
 
-/// Words take time or none: where the programs were run first they took some.
+/// Words take time or none: in the first runs of the programs they took some.
 TEST_F(Programs, TakeAsLongAsRunsDoWhereWordsTakeTime) {
     const auto start =
         machine::read_machine(machine_text(kControllers[1]) + "[times]\nM3 = 1.0\n", "start.toml").value();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPeriod_s = 0.001;
 
-/// There and back over ways of several lengths, with straight ramps, and rests.
+/// Returns strokes there and back over several distances, with straight ramps, and dwells.
 AxisRecord strokes() {
     AxisRecord record;
     double at = 0;
@@ -63,7 +63,7 @@ TEST(ServoFit, AGainAloneIsTheTimeConstant) {
     EXPECT_NEAR(fit.left_rms, 1e-4, 1e-5);
 }
 
-/// The equations themselves, in fine steps: not what the fit goes by.
+/// The test integrates the equations in fine steps, which the fit does not.
 TEST(ServoFit, FollowsTheEquationsOfTheLoop) {
     const machine::Servo servo{
         .position_gain_1_s = 35, .velocity_feed_forward = 0.6, .velocity_lag_s = 0.004};

@@ -1,4 +1,4 @@
-// Recordings of set points and places, in each form.
+// Recordings of set points and positions, in each form.
 
 #include "calibrate/servo/servo_record.h"
 

@@ -1,4 +1,4 @@
-// Figures that are hidden in a machine, found again from the times that it takes.
+// Parameters that are hidden in a machine, recovered from the times that it takes.
 
 #include <cmath>
 #include <filesystem>
@@ -109,7 +109,7 @@ class Recordings : public testing::Test {
             .value();
     }
 
-    /// A generic control with this machine's figures, refined by what the recordings tell.
+    /// Returns a generic controller with this machine's parameters, refined by the recordings.
     Choice choose(const machine::Machine& start, const Predictor& predictor) const {
         const Candidate candidate{"velocity-step", start};
         return choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
@@ -157,7 +157,7 @@ TEST_F(Recordings, DoNotTellOfWhatTheyDoNotHave) {
     EXPECT_THAT(fit_table(found, runs_), HasSubstr("tell nothing by itself"));
 }
 
-/// Times of words are found among those of moves, whichever way of planning is tried.
+/// Times of words are found among those of moves, with every planning method.
 TEST_F(Recordings, TellWhatWordsTake) {
     for (int i = 1; i < 5; ++i) {
         std::string text = "G21 G90 G17 G64\n";
@@ -165,7 +165,7 @@ TEST_F(Recordings, TellWhatWordsTake) {
             text += fmt::format("G1 X{} F6000\n{}", 7 * (k % 2), k % 3 == 0 ? "T1 M6\n" : "M8\n");
         add(text + "G0 X50\nM2\n");
     }
-    // What each stop takes is in the times of words, too: dwells tell it apart.
+    // The time of each stop is in the times of words, too: dwells separate it.
     std::string dwells = "G21 G90 G17 G64\n";
     for (int k = 0; k < 20; ++k) dwells += fmt::format("G1 X{} F6000\nG4 P0.05\n", 7 * (k % 2));
     add(dwells + "M2\n");
@@ -186,7 +186,7 @@ TEST_F(Recordings, TellWhatWordsTake) {
     EXPECT_TRUE(interval_of(text, runs_.back().program));
 }
 
-/// Of a word that is one of a thousand things nobody can tell: the program for it has it ten times.
+/// The time of a word that is one of a thousand things cannot be found: the program for it has it ten times.
 TEST_F(Recordings, GetAProgramForWordsThatTheyDoNotTell) {
     add("G21 G90\nG1 X100 F60\nM8\nG1 X0\nM2\n");
     record(router(730, 0.012), 0.01);
@@ -214,7 +214,7 @@ TEST_F(Recordings, TellWhatABlockTakes) {
     EXPECT_NEAR(choice.candidate.machine.controller.block_time_s, 0.008, 0.0002);
 }
 
-/// Long ways at the speeds of the axes.
+/// Long paths run at the speeds of the axes.
 TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
     for (int i = 1; i < 5; ++i) add(fmt::format("G21 G90\nG0 X{0} Y{1}\nX0\nY{0}\nM2\n", 90 * i, 70 * i));
     machine::Machine hidden = router(730, 0.012);
@@ -262,7 +262,8 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     EXPECT_THAT(residuals_svg(found, runs_), HasSubstr("0.ngc"));
 }
 
-/// One program with lines, corners and curves of all sides tells by its positions what many tell by times.
+/// The positions of one program with lines, corners and curves of all sides show as much as the times of many
+/// programs.
 TEST_F(Recordings, OfPositionsTellMoreThanATime) {
     const std::vector<RecordedRun> zigzags = runs_;
     runs_.assign(zigzags.begin() + 2, zigzags.begin() + 4);

@@ -1,4 +1,4 @@
-// What of an action's name comes back in the block of a post.
+// Parts of an action's name that return in the block of a post.
 #include "codegen/post/action_words.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(ActionWords, PlacesTakeWhatTheirNamesSay) {
     EXPECT_EQ(block("turn round"), std::nullopt);
 }
 
-// What is behind the inner brace was taken for a place of its own, and the name left by its end.
+// The text after the inner brace was taken for a separate placeholder, and the name left by its end.
 TEST(ActionWords, ABraceWithinAPlaceIsPartOfItsName) {
     const ActionWords::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
     EXPECT_EQ(ActionWords(blocks).block_of("turn 90 degrees", 1), "M19 R90");

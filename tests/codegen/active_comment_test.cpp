@@ -1,4 +1,4 @@
-// Comments of RS274/NGC that act, and the quoting of texts: none may end its string.
+// Comments of RS274/NGC with an effect, and the quoting of texts: none may end its string.
 #include "codegen/blocks/active_comment.h"
 
 #include <random>
@@ -35,7 +35,7 @@ TEST(ActiveComments, EachOfThem) {
     EXPECT_EQ(lua("PyReload"), "PYRELOAD()");
 }
 
-/// As LinuxCNC tells them apart.
+/// As LinuxCNC separates them.
 TEST(ActiveComments, OthersOnlyTell) {
     for (const char* comment :
          {"", "a note", "MSG", "MSG hello", "debug , x", "DEBUGX,#1", "LOGCLOSED", "PROBECLOSE now",
@@ -63,7 +63,7 @@ TEST(ActiveComments, ActBeforeTheirBlock) {
               "do local w1 = v[1] v[1] = 2.0 DEBUG(\"%f\", v[1]) move{x=w1} end");
 }
 
-/// LinuxCNC reads what stands behind an O-word as part of it.
+/// LinuxCNC reads the text after an O-word as part of it.
 TEST(ActiveComments, DoNothingBehindAnOWord) {
     const Translated result =
         translated_ngc("o1 if [1] (MSG,a)\n(MSG,b)\no1 endif (MSG,c)\nO12 (MSG,d)\nM2\n");

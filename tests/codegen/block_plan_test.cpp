@@ -9,7 +9,7 @@ namespace {
 
 struct Wrong {
     const char* block;
-    const char* message;  ///< Behind "1:".
+    const char* message;  ///< After "1:".
 };
 
 class BlockErrors : public testing::TestWithParam<Wrong> {};

@@ -1,5 +1,5 @@
-// What the words of a block become together: who takes which word, and the order in which the controller
-// acts.
+// Combined effect of the words of a block: the code that takes each word, and the order in which the
+// controller acts.
 #include <gtest/gtest.h>
 
 #include "tests/codegen/translated.h"

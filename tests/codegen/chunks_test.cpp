@@ -1,4 +1,4 @@
-// The map of a translation: where its programs stand and where their bodies may be taken apart.
+// Map of a translation: the positions of its programs, and the cuts at which their bodies may be divided.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -124,7 +124,7 @@ TEST(ProgramMap, BigProgramsHaveCuts) {
 TEST(ProgramMap, ACutBehindALineThatIsMoreThanCalls) {
     const Mapped whole = mapped(big_program(2000, "#1=5 (changed)\nX[#1]\n"));
     const std::vector<Cut>& cuts = whole.translation.programs[0].cuts;
-    ASSERT_EQ(cuts.size(), 1U);  // not behind each of two
+    ASSERT_EQ(cuts.size(), 1U);  // not after each of two
     EXPECT_NE(whole.lua.substr(0, cuts[0].offset).find("changed"), std::string::npos);
     EXPECT_EQ(whole.lua.substr(cuts[0].offset).find("changed"), std::string::npos);
     expect_sound_map(whole);

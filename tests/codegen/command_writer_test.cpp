@@ -74,7 +74,7 @@ TEST(CommandWriter, LineNOfTheProgramIsLineNPlus1) {
     EXPECT_EQ(result.messages, "");
 }
 
-// Klipper reads on over these; a warning tells of each once.
+// Klipper reads on past these; a warning reports each once.
 TEST(CommandWriter, WhatHasNoEffectIsSaidOnceWithTheCount) {
     const Translated result = klipper("G21 G90 G94\nM6\nX40\nM6\nG4 S2\nG01 X5\nG28\n");
     EXPECT_TRUE(result.ok);

@@ -1,4 +1,4 @@
-// Loops, jumps and programs: their Lua, and what is wrong with them, word for word.
+// Loops, jumps and programs: their Lua, and their errors, word for word.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
     Text ab9("ab9");
     ab9.to(10.0004, 0, 0, 0);
     ab9.writer.arc(std::array{20.0004, 10.0, 0.0, 0.0}, {Plane::xy, true, {10.0003, 0, 0}}, kFeed);
-    ab9.to(20.0001, 10, 0, 0);  // prints nothing, and still stands there
+    ab9.to(20.0001, 10, 0, 0);  // prints no block, and is still there
     ab9.writer.arc(std::array{30.0, 0.0, 0.0, 0.0}, {Plane::xy, true, {-0.0004, -10, 0}}, kFeed);
     EXPECT_EQ(ab9.all(),
               "N00005 G01 X10.000 Y0.000 Z0.000 B0.000 F1000.000\n"
@@ -132,7 +132,7 @@ TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
     EXPECT_NE(text.find("N99995 G04 P1.000\nN00005 G04"), std::string::npos);
 }
 
-// All axes are written again behind the way up, and behind another system.
+// All axes are written again after the retract, and after another system.
 TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
     Text ngc("rs274ngc", {.inch = true}), ab9("ab9");
     for (Text* each : {&ngc, &ab9}) {

@@ -70,7 +70,7 @@ TEST(LanguagePage, HasEveryFunctionAndOWord) {
         EXPECT_NE(ngc.find(flow.meaning), std::string::npos) << flow.name;
 }
 
-/// What the page says of statements in the form `G-code` | `Lua` is what the translator does.
+/// The page's statements in the form `G-code` | `Lua` are those of the translator.
 TEST(LanguagePage, ItsExamplesOfBlocksAreTrue) {
     EXPECT_EQ(lua_of("#1=#2+4"), "v[1] = v[2] + 4.0");
     EXPECT_EQ(lua_of("X-[#1+2]"), "move{x=(-(v[1] + 2.0))}");

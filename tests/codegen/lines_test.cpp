@@ -1,4 +1,4 @@
-// What holds for any program: its lines, twice the same Lua, and Lua that compiles.
+// Properties of any program: its lines, the same Lua twice, and Lua that compiles.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ TEST(RandomPrograms, AnErrorGivesItsLineAndNoLua) {
     }
 }
 
-/// Each block marks itself by the value of X; its Lua must stand one line further down.
+/// Each block marks itself by the value of X; its Lua must be one line further down.
 TEST(Lines, EveryBlockStandsOneLineFurtherDown) {
     const std::string gcode = "%\nO1\n\n(first)\nX5\r\n\r\nX7;Y7\n/X8\n%\nO2 X10\nX11";
     const Translated result = translated(gcode);

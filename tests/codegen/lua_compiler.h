@@ -5,10 +5,10 @@
 
 namespace gsim::codegen {
 
-/// What Lua's compiler has against a script; nothing where it takes it.
+/// Returns the error of Lua's compiler for a script, or none if it accepts it.
 std::optional<std::string> compile_error(const std::string& script);
 
-/// Runs a script that needs nothing but Lua and gives the number that it returns; nothing where it fails.
+/// Runs a script that needs only Lua, and returns its number, or none if it fails.
 std::optional<double> run_number(const std::string& script);
 
 }  // namespace gsim::codegen

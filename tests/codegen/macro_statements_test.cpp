@@ -92,13 +92,13 @@ TEST(ReturnToABlock, OutOfASubprogram) {
     EXPECT_EQ(result.code(7), "do return (M99{p=7}) end");
 }
 
-/// The words GOTO and M99 are looked for in pieces of the file: they must be found across the border of two.
+/// The words GOTO and M99 are searched for in parts of the file: they must be found across the border of two.
 TEST(JumpScan, FindsJumpsWhereverTheyStand) {
     for (const std::string& jump :
          {std::string("GOTO5"), std::string("M99P5"), std::string("M 0 9 9P5"), std::string("goto 5")}) {
         const std::string text = jump == "M 0 9 9P5" ? "M 099 P5" : jump;
         for (std::size_t at = 16370; at < 16390; ++at) {
-            // Nothing before the jump holds one of its letters.
+            // The text before the jump holds none of its letters.
             std::string gcode = "N5 X1\n";
             while (gcode.size() < at) gcode += gcode.size() % 60 == 59 && gcode.size() + 1 < at ? '\n' : ' ';
             gcode += text + "\n";

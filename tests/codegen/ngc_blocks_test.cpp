@@ -1,4 +1,4 @@
-// Blocks of RS274/NGC: who takes which word, order of execution, settings, codes that are not there.
+// Blocks of RS274/NGC: the code that takes each word, order of execution, settings, unknown codes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -149,8 +149,8 @@ TEST(NgcBlocks, AsManySettingsAsLuaHoldsAtOnce) {
     EXPECT_EQ(compile_error(translated_ngc(deep + "\n").lua), std::nullopt);
 }
 
-/// Two settings of one variable that only the run can tell to be one: the later holds, whatever Lua's order
-/// is.
+/// Two settings of variables that only the run can identify as one: the later one counts, whatever Lua's
+/// order is.
 TEST(NgcBlocks, TheLaterOfTwoSettingsHolds) {
     for (const auto& [block, expected] :
          {std::pair{"#[1]=1 #1=2", 2.0}, std::pair{"#1=2 #[1]=1", 1.0}, std::pair{"#1=1 #[1]=2 #1=3", 3.0},

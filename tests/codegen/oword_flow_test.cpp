@@ -10,7 +10,7 @@
 namespace gsim::codegen::oword_flow_test {
 namespace {
 
-/// The Lua of the lines, one behind the other, without the first and the last line of the script.
+/// Returns the consecutive Lua lines, without the first and the last line of the script.
 std::string body(const std::string& gcode) {
     const Translated result = translated_ngc(gcode);
     if (!result.ok) return result.messages;

@@ -1,4 +1,4 @@
-// What a program looks like: of another dialect, or in inches.
+// Heuristics for a program: of another dialect, or in inches.
 
 #include "codegen/blocks/program_signs.h"
 

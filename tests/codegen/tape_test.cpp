@@ -1,4 +1,4 @@
-// What stands around the program in a file: tape marks, the leader before them, the end of a file of DOS.
+// Text around the program in a file: tape marks, the leader before them, the end of a DOS file.
 #include <gtest/gtest.h>
 
 #include "tests/codegen/translated.h"

@@ -1,5 +1,5 @@
-// Whatever is thrown at the translator in either dialect: an answer, twice the same, and Lua that compiles
-// where it accepts.
+// Random input to the translator in either dialect: it always answers, twice the same, with Lua that compiles
+// if it accepts the input.
 #include <algorithm>
 #include <random>
 
@@ -73,7 +73,7 @@ std::string short_soup(std::mt19937& random, const char* const (&pieces)[own]) {
     return text;
 }
 
-/// True where it was accepted.
+/// True if it was accepted.
 bool expect_sound(const std::string& gcode, const TranslateOptions& options) {
     const Translated first = translated(gcode, options);
     const Translated second = translated(gcode, options);

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
 
-/// Triangles as the text of an OBJ file; each has vertices of its own, as in STL.
+/// Triangles as the text of an OBJ file, each with vertices of its own, as in STL.
 class Surface {
   public:
     void triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -91,7 +91,7 @@ TEST(BodyMass, CapsuleIsTheSumOfItsDiscs) {
 
 TEST(BodyMass, ClosedMeshIsTheBoxThatItIs) {
     const Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    const Vector3d at(4000, -300, 80);  // far from where it counts from
+    const Vector3d at(4000, -300, 80);  // far from its origin
     Surface surface;
     surface.box(at, turn * Vector3d(100, 200, 300).asDiagonal());
     const auto mesh = of_mesh(surface, 1000);

@@ -1,4 +1,4 @@
-// Things of a cell that go by themselves: on conveyors, or led by the program.
+// Objects of a cell that move independently: on conveyors, or moved by the program.
 
 #include "collision/cell/carrier.h"
 
@@ -52,7 +52,8 @@ TEST(Carrier, EachDriftHoldsUntilTheNext) {
     EXPECT_EQ(carrier.at(0).translation().x(), 8);
 }
 
-// A ball of 10 mm at the tip, and on the belt a plate of 0.1 mm across it, at X 1000 where the belt is at 0.
+// A ball of 10 mm at the TCP, and on the belt a plate of 0.1 mm across it. The plate is at X 1000 if the belt
+// is at 0.
 class OnTheBelt : public testing::Test {
   protected:
     OnTheBelt()
@@ -80,7 +81,7 @@ shape = { sphere_mm = 10.0 }
     double first_contact_s() const { return watch.contacts().empty() ? -1 : watch.contacts()[0].t_s; }
 
     const std::vector<std::string> kBelts{"belt"};
-    static constexpr double kGap_mm = 1000 - 0.05 - 5;  // from a tip at X0 to the plate on a belt at 0
+    static constexpr double kGap_mm = 1000 - 0.05 - 5;  // from a TCP at X0 to the plate on a belt at 0
     Cell cell;
     ClearanceWatch watch;
 };
@@ -99,7 +100,7 @@ TEST_F(OnTheBelt, AThinPlateIsFoundThoughBothAreFast) {
     EXPECT_NEAR(first_contact_s(), kGap_mm / 1008, 2e-8);
 }
 
-// The tip speeds up with 490 mm/s2 behind a plate that runs away at 100: 490/2 t^2 = 20 + 100 t.
+// The TCP accelerates with 490 mm/s2 after a plate that moves away at 100: 490/2 t^2 = 20 + 100 t.
 TEST_F(OnTheBelt, ARobotThatSpeedsUpCatchesThePlate) {
     belt(0, -500, 100);
     const rrs::JointPos from = joints(kGap_mm - 500 - 20, 500, 0);
@@ -128,7 +129,7 @@ TEST_F(OnTheBelt, ASpeedMayChangeWithinASegment) {
 
 TEST_F(OnTheBelt, AJumpIsNoMotion) {
     belt(0, 0, 0);
-    belt(2, -700, 0);  // past the tip, which it does not touch
+    belt(2, -700, 0);  // past the TCP, which it does not touch
     watch.take(rest(0, joints(500, 500, 0), 4), false);
     EXPECT_EQ(first_contact_s(), -1);
     belt(5, -500, 0);
@@ -137,7 +138,8 @@ TEST_F(OnTheBelt, AJumpIsNoMotion) {
     EXPECT_TRUE(watch.contacts()[0].penetrating);
 }
 
-// A bar that turns about its end by a quarter while it goes 100 mm meets the ball where sin(angle) says.
+// A bar that turns about its end by a quarter while it moves 100 mm meets the ball at the time given by
+// sin(angle).
 TEST(LedFrames, TurnOnTheirWay) {
     Cell cell = read_cell(R"(
 [cell]
@@ -174,7 +176,7 @@ shape = { sphere_mm = 10.0 }
     EXPECT_NEAR(watch.contacts()[0].t_s, 10 + 2 * angle / (M_PI / 2), 1e-6);
 }
 
-// What rides on a frame may have been made to go by itself before that one.
+// An object on a frame may have been released to move independently before that frame.
 TEST(LedFrames, GoOnEachOther) {
     Cell cell = read_cell(R"(
 [cell]

@@ -156,7 +156,7 @@ TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
     EXPECT_EQ(cell->replaced, 1U);
     EXPECT_TRUE(cell->ignored.empty());
 
-    // Its jet does not take the place of the tool, nor what it has on an axis.
+    // Its jet does not replace the tool, nor its bodies on an axis.
     machine::Machine machine = with_body();
     machine.shapes.push_back({"spray", "jet", machine::SphereShape{1}, {}});
     machine.ignored = {{1, 2}, {0, 1}};
@@ -196,7 +196,7 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
         HasSubstr("40026 bodies are 1040000 pairs on parts that move against each other; up to 1000000"));
 }
 
-// Whatever is done to a file, it is read, or refused with a place.
+// For any change of a file, it is read, or rejected with a source location.
 TEST(CellFile, MangledFilesNeitherHangNorCrash) {
     std::mt19937 random(9);
     const machine::Machine machine = af5();

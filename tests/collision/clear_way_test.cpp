@@ -35,7 +35,7 @@ TEST(ClearWay, ABallKeepsItsDistanceFromABlockJustSoFar) {
     const auto bodies = ClearWay::make(cell, machine).value();
     for (const double clearance_mm : {0.1, 3.0, 40.0}) {
         const auto passes = [&](double off_mm) {
-            const double x = 500 - 5 - off_mm;  // beside the block, along its wall
+            const double x = 500 - 5 - off_mm;  // next to the block, along its wall
             return !bodies.obstacle(way(joints(x, 0, 0), joints(x, 1000, 0)), clearance_mm);
         };
         EXPECT_TRUE(passes(clearance_mm + kEnd_mm)) << clearance_mm;
@@ -68,7 +68,7 @@ TEST(ClearWay, AThinPlateIsNotPassedOver) {
     EXPECT_FALSE(bodies.obstacle(way(joints(0, 500, 0), joints(510, 500, 0)), 1e-3));
 }
 
-// Turning sweeps what is off the axis: a ball 100 mm above the tip comes 100 sin(angle) to the side.
+// The turn sweeps bodies off the axis: a ball 100 mm above the TCP moves 100 sin(angle) to the side.
 TEST(ClearWay, ATurnSweepsWhatIsOffItsAxis) {
     const Cell cell = cell_of(
         "[[shape]]\nname = \"ball\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
@@ -84,7 +84,7 @@ TEST(ClearWay, ATurnSweepsWhatIsOffItsAxis) {
     EXPECT_FALSE(turns(most + 1e-4));
 }
 
-// The watch of runs finds the least distance; this one only whether it is less.
+// The monitor of runs finds the min distance; this one only if it is less.
 TEST(ClearWay, AgreesWithTheWatchOfRuns) {
     const Cell cell = cell_of(
         "clearance_mm = 20\n"

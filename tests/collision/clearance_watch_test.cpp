@@ -36,7 +36,7 @@ std::string box_at(const std::string& name, const Vector3d& size, const Vector3d
         name, size.x(), size.y(), size.z(), at.x(), at.y(), at.z(), more);
 }
 
-/// A watch of a cell and a clock.
+/// Monitor of a cell and a clock.
 class Watched {
   public:
     explicit Watched(Cell of) : cell(std::move(of)), watch(cell, af5()) {}
@@ -77,7 +77,7 @@ TEST(ClearanceWatch, ManySmallStepsMeetWhatOneMoveMeets) {
 }
 
 TEST(ClearanceWatch, ManySmallTurnsMeetWhatOneTurnMeets) {
-    // The tool's end, 200 mm above the tip, goes down on a circle to a plate at its height at 60 degrees.
+    // The tool's end, 200 mm above the TCP, moves down on a circle to a plate at its height at 60 degrees.
     const std::string end =
         "[[shape]]\nname = \"end\"\non = \"tool\"\nshape = { sphere_mm = 2 }\nframe = { z_mm = 200 }\n";
     Watched run(cell_of(end + box_at("plate", {1000, 1000, 10}, {500, 500, 94})));
@@ -123,7 +123,7 @@ TEST(ClearanceWatch, WhenItIsNearestIsKnownWhereThatIsWanted) {
         ASSERT_TRUE(run.watch.nearest());
         EXPECT_NEAR(run.watch.nearest()->distance_mm, 1, 1e-4);
         ASSERT_EQ(run.watch.nearest()->t_s.has_value(), wanted);
-        // Where the distance is within 1e-3 mm of its least: 0.2 mm before the middle of the way.
+        // The time is that of a distance within 1e-3 mm of the minimum: 0.2 mm before the middle of the path.
         if (!wanted) continue;
         EXPECT_NEAR(*run.watch.nearest()->t_s, (before_s + run.time_s) / 2, 0.25 / 508);
     }
@@ -140,7 +140,7 @@ TEST(ClearanceWatch, AnArcRoundAPostKeepsItsDistance) {
     EXPECT_TRUE(run.watch.contacts().empty());
 }
 
-// A ball 100 mm above the tip comes to a wall as the tool tilts: 100 sin(angle) + 5 = 55.
+// A ball 100 mm above the TCP meets a wall as the tool tilts: 100 sin(angle) + 5 = 55.
 TEST(ClearanceWatch, ATiltTouchesAtItsAngle) {
     const std::string ball =
         "[[shape]]\nname = \"head\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n";
@@ -170,7 +170,7 @@ TEST(ClearanceWatch, TouchingIsNotPenetrating) {
     ASSERT_EQ(down.watch.contacts().size(), 1U);
     EXPECT_FALSE(down.watch.contacts()[0].penetrating);
     down.line_to(joints(500, 500, 5), joints(510, 500, 5), {100, 490});
-    ASSERT_EQ(down.watch.contacts().size(), 1U);  // goes on
+    ASSERT_EQ(down.watch.contacts().size(), 1U);  // continues
     EXPECT_FALSE(down.watch.contacts()[0].penetrating);
     down.line_to(joints(510, 500, 5), joints(510, 500, 4), {100, 490});
     ASSERT_EQ(down.watch.contacts().size(), 1U);
@@ -216,7 +216,7 @@ TEST(ClearanceWatch, AContactAfterTheProbeHasPartedCounts) {
     EXPECT_EQ(run.watch.contacts().size(), 1U);
 }
 
-// What is no tool does not probe.
+// Only a tool can probe.
 TEST(ClearanceWatch, APartOfTheMachineThatIsNoToolCollidesWhileTheToolProbes) {
     const std::string wrist = "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { box_mm = [50, 50, 20] }\n";
     Watched run(cell_of(wrist + box_at("clamp", {10, 10, 50}, {520, 500, -25})));

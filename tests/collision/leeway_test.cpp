@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr int kSteps = 50;
 
-/// The ways of a link's points in a motion, seen from another link, by samples.
+/// Adds the distances of a link's points in a motion, seen from another link, by samples.
 void add_ways(const SegmentMotion& motion, int link, int from, const std::vector<Vector3d>& points,
               std::vector<double>& ways_mm) {
     const auto place = [&](int step, const Vector3d& point) -> Vector3d {
@@ -63,7 +63,7 @@ TEST(Leeway, EndsWithTheSlack) {
     Leeway leeway;
     EXPECT_FALSE(leeway.take(step));
     leeway.set(20, {}, 0);
-    EXPECT_TRUE(leeway.take(step));  // 3 and 4, one behind the other
+    EXPECT_TRUE(leeway.take(step));  // 3 and 4, one after the other
     EXPECT_TRUE(leeway.take(step));
     EXPECT_FALSE(leeway.take(step));
     EXPECT_NEAR(leeway.release_gone_mm(), 14, 1e-9);

@@ -19,7 +19,7 @@ double distance_to_chord(const Vector3d& point, const Vector3d& from, const Vect
     return (point - from - std::clamp(share, 0.0, 1.0) * way).norm();
 }
 
-/// What points of a body really do in a part of a motion, by samples.
+/// Returns the true motion of points of a body in a part of a motion, by samples.
 MotionBound measured(const SegmentMotion& motion, const MotionPart& part, const std::vector<Vector3d>& points,
                      int link, int from) {
     const auto place = [&](double t_s, const Vector3d& point) -> Vector3d {
@@ -101,7 +101,7 @@ TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
     }
 }
 
-// The tool on a great circle while its tip goes on, in proportion to the way or to the time.
+// The tool moves on a great circle while its TCP continues, in proportion to the path or to the time.
 TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
     std::mt19937 random(13);
     const machine::Machine machine = af5();

@@ -94,7 +94,7 @@ TEST(NeighbourWatch, WhatPassesAtADistanceIsClean) {
         const auto along_x = line(0, joints(0, 500, 0), joints(1000, 500, 0), {100});
         const auto along_y = line(0, joints(500, -300 - late_mm, 0), joints(500, 700 - late_mm, 0), {100});
         robots.take(0, 10, along_x, along_y);
-        // Seen from each other they go along the diagonal: sqrt(1/2) of what one is late apart.
+        // Seen from each other they move along the diagonal, off by sqrt(1/2) of one's delay.
         const bool meet = late_mm * std::sqrt(0.5) < 15 + 25;
         EXPECT_EQ(robots.contacts().size(), meet ? 1U : 0U) << late_mm;
         if (!meet || robots.contacts().empty()) continue;
@@ -124,7 +124,7 @@ TEST(NeighbourWatch, TheJetReachesWhileItIsOn) {
         "frame = { z_mm = -100.0 }\n";
     for (const bool on : {false, true}) {
         Neighbours robots(jet, ball(50), 0);
-        // The tool points down: the jet's end is 200 mm below it, where the ball is.
+        // The tool points down: the jet's end is 200 mm below it, at the ball.
         const auto over = line(0, joints(0, 500, 200), joints(1000, 500, 200), {100});
         robots.take(0, 2, over, rest(0, joints(500, 500, 0), 10), false);
         robots.take(2, 8, over, rest(0, joints(500, 500, 0), 10), on);
@@ -174,7 +174,7 @@ double distance_mm(const std::array<std::shared_ptr<const MachineBodies>, 2>& ma
     return least_mm;
 }
 
-// Whatever the joints do: no contact is passed over, and where one is told they touch.
+// For any motion of the joints no contact is missed, and the machines touch if one is reported.
 TEST(NeighbourWatch, FindsTheFirstContactOfAnyTwoMachines) {
     std::mt19937 random(19);
     const double radius_mm = 10;

@@ -31,7 +31,7 @@ inline rrs::JointPos random_start(std::mt19937& random) {
     return random_joints(random, rrs::JointPos::Zero(6), 2);
 }
 
-/// A line of six joints, some of which follow laws of their own.
+/// Returns a line of six joints, some of which follow laws of their own.
 inline motion::Segment random_segment(std::mt19937& random, const rrs::JointPos& start, double most = 1) {
     motion::Segment segment =
         line(0, start, random_joints(random, start, most), {1, between(random, 0.5, 20)});

@@ -29,7 +29,7 @@ inline rrs::JointPos joints(double x, double y, double z, double b = 0, double c
     return values;
 }
 
-/// All joints in proportion; the law is along the norm of their ways.
+/// Returns a line with all joints in proportion; the law is along the norm of their distances.
 inline motion::Segment line(double start_s, const rrs::JointPos& from, const rrs::JointPos& to,
                             const Pace& pace) {
     motion::Segment segment;

@@ -44,8 +44,8 @@ TEST(Separation, WhatGoesAcrossCostsNothing) {
     EXPECT_NEAR(ways[4], 0, 1e-9);
 }
 
-// No stance in the part comes nearer along the direction than the ways allow, which goes with the second
-// body.
+// No configuration in the part comes nearer along the direction than the distances allow, and the direction
+// moves with the second body.
 TEST(Separation, HoldsInRandomParts) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);

@@ -69,7 +69,7 @@ TEST(ShapeGap, FarBodiesAreFarEnough) {
 }
 
 // A distance is proved from both sides: two points of the bodies are as near, and a plane between them keeps
-// them as far apart.
+// the bodies as far from each other.
 TEST(ShapeGap, RandomConvexBodiesAreProvedFromBothSides) {
     std::mt19937 random(3);
     for (int i = 0; i < 3000; ++i) {
@@ -87,7 +87,7 @@ TEST(ShapeGap, RandomConvexBodiesAreProvedFromBothSides) {
     }
 }
 
-// A body moved by 1e-7 mm is nearer or farther by no more: no flat set of corners is taken for an overlap.
+// A body moved by 1e-7 mm is nearer or farther by no more: no flat set of corners counts as an overlap.
 TEST(ShapeGap, DistancesDoNotJump) {
     std::mt19937 random(17);
     const Isometry3d here = Isometry3d::Identity();

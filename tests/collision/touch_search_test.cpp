@@ -60,7 +60,7 @@ TEST(TouchSearch, FindsWhereContactIsLost) {
     EXPECT_FALSE(search.first_release_s(line(0, joints(515, 500, 0), joints(500, 500, 0), {100})));
 }
 
-// A ball 100 mm above the tip leaves a wall as the tool turns back: 100 sin(angle) + 5 = 55.
+// A ball 100 mm above the TCP leaves a wall as the tool turns back: 100 sin(angle) + 5 = 55.
 TEST(TouchSearch, FollowsATurn) {
     const Cell cell = cell_of(
         "[[shape]]\nname = \"stylus\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
@@ -78,7 +78,7 @@ TEST(TouchSearch, TheJetAndWhatIsNoToolFeelNothing) {
                               "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { sphere_mm = 50 }\n"
                               "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { sphere_mm = 50 }\n");
     const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
-    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);  // the tip does
+    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);  // the TCP does
 }
 
 TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {

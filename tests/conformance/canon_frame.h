@@ -6,7 +6,7 @@
 
 namespace gsim::conformance {
 
-/// The digits of canonical output: four behind the point.
+/// Precision of canonical output: four digits after the point.
 inline constexpr double kPrinted = 0.00005;
 
 /// A point and how far the printed digits leave it open, mm and deg.
@@ -15,7 +15,7 @@ struct PrintedPoint {
     AxisValues tolerance{};
 };
 
-/// The state that stands between printed coordinates and those of the machine.
+/// State that relates printed coordinates to those of the machine.
 class CanonFrame {
   public:
     void set_unit(double mm) { unit_mm_ = mm; }

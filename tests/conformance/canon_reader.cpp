@@ -20,13 +20,13 @@ namespace {
 using Numbers = std::span<const double>;
 
 constexpr double kMmPerInch = 25.4;
-/// The stand-alone interpreter lets a probe trip this far before its target.
+/// Distance before its target at which the stand-alone interpreter lets a probe trip.
 constexpr double kProbeBackoff_mm = 0.254;
 
-/// Takes calls one by one; modal state and moves so far.
+/// Reader of calls one by one, with modal state and moves so far.
 class Reader {
   public:
-    /// False where the call lacks numbers that it needs.
+    /// Returns false if the call lacks numbers that it needs.
     bool take(const CanonCall& call, long line);
     std::vector<ExpectedMove> moves() && { return std::move(moves_); }
 
@@ -62,7 +62,7 @@ class Reader {
 
     CanonFrame frame_;
     std::vector<ExpectedMove> moves_;
-    AxisValues at_{};  // where the reference's last move ended, machine coordinates
+    AxisValues at_{};  // end of the reference's last move, machine coordinates
     Plane plane_ = Plane::xy;
     double feed_ = 0;
     double feed_unit_mm_ = 1;
@@ -109,7 +109,7 @@ bool Reader::take(const CanonCall& call, long line) {
     return true;
 }
 
-// Calls whose argument is a word.
+// Handles calls with a word as their argument.
 void Reader::take_words(const CanonCall& call) {
     if (call.name == "USE_LENGTH_UNITS") {
         frame_.set_unit(call.arguments == "CANON_UNITS_INCHES" ? kMmPerInch : 1);
@@ -147,7 +147,7 @@ void Reader::feed_rate(Numbers n) {
     feed_unit_mm_ = frame_.unit_mm();
 }
 
-// There and back, with the rotary axes where they are.
+// Adds moves there and back, with the rotary axes unchanged.
 void Reader::rigid_tap(Numbers n) {
     const AxisValues start = at_;
     PrintedPoint end = frame_.to_machine({n[0], n[1], n[2]});
@@ -189,7 +189,7 @@ ExpectedMove& Reader::add(const Move& move, const PrintedPoint& end) {
     return expected;
 }
 
-// A feed by the turn is known only where the speed is; in a thread the pitch is programmed, not F.
+// A feed per turn is known only if the speed is; in a thread the pitch is programmed, not F.
 void Reader::set_feed(ExpectedMove& expected) const {
     const Kind kind = expected.move.kind;
     if (kind == Kind::rapid || kind == Kind::dwell || kind == Kind::thread) return;

@@ -57,7 +57,8 @@ TEST(CanonReader, TurnsArcCentresWithTheRotation) {
     EXPECT_NEAR(moves[0].move.arc->center_mm[1], 10, 1e-12);
 }
 
-// What LinuxCNC's controller makes of the call (ARC_FEED in emccanon.cc): the plane turns with the program.
+// LinuxCNC's controller does the same with the call (ARC_FEED in emccanon.cc): the plane turns with the
+// program.
 TEST(CanonReader, TurnsThePlanesOfArcsWithTheRotation) {
     const auto moves = expected_moves({"SET_XY_ROTATION(30.0)", "SELECT_PLANE(CANON_PLANE_XZ)",
                                        "ARC_FEED(0.0, 20.0, 0.0, 10.0, 1, 0.0, 0.0, 0.0, 0.0)"});

@@ -11,7 +11,8 @@
 
 namespace gsim::conformance {
 
-/// The moves of canonical calls written as `NAME(...)`, each on a line of its own with the usual beginning.
+/// Returns the moves of canonical calls written as `NAME(...)`, each on a line of its own with the usual
+/// beginning.
 inline std::vector<ExpectedMove> expected_moves(std::initializer_list<const char*> calls) {
     std::stringstream text;
     int number = 0;

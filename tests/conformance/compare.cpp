@@ -21,12 +21,12 @@ std::size_t leading_splines(std::span<const ExpectedMove> expected) {
     return static_cast<std::size_t>(end - expected.begin());
 }
 
-// A curve is driven as arcs, and lines where it is straight.
+// A curve is driven as arcs, and as lines if it is straight.
 bool may_be_of_curve(const Move& move) {
     return move.kind == Kind::spline || is_arc(move.kind);
 }
 
-// Each move goes at the feed of one of the splines.
+// Returns true if each move has the feed of one of the splines.
 bool spline_feeds_agree(std::span<const ExpectedMove> splines, std::span<const Move> moves) {
     return std::all_of(moves.begin(), moves.end(), [splines](const Move& move) {
         return std::any_of(splines.begin(), splines.end(),
@@ -75,8 +75,8 @@ void Comparison::step() {
     }
 }
 
-// The reference prints no points of a spline: it stands for the arcs and lines of one line, or for a part of
-// them where a loop puts splines of one line in a row.
+// The reference prints no points of a spline. It represents the arcs and lines of one line, or a part of them
+// if a loop puts splines of one line in a row.
 bool Comparison::take_splines() {
     const std::size_t splines = leading_splines(expected_);
     std::size_t moves = 0;
@@ -95,7 +95,7 @@ bool Comparison::take_splines() {
     return true;
 }
 
-// Leaves out a move without length; false where neither side has one.
+// Leaves out a move without length; returns false if neither side has one.
 bool Comparison::leave_out() {
     if (!expected_.empty() && has_no_length(expected_[0], standing_)) {
         standing_.expected = expected_[0].stop;

@@ -8,7 +8,7 @@
 
 namespace gsim::conformance {
 
-/// The first place at which two runs part.
+/// First position at which two runs differ.
 struct Difference {
     std::string what;      ///< Such as "end point: X is 1.00000, 1.50000 is expected".
     std::string expected;  ///< The move of the reference with its line.
@@ -22,8 +22,8 @@ struct Verdict {
 
 /// Compares a run with the reference: kind, order, end point, arc centre, sense, turns, plane, feed and
 /// seconds of dwell, each within the printed digits. Moves without length are left out on both sides, as far
-/// as the printed digits tell; a spline of the reference, which is printed without its points, stands for one
-/// or more spline moves of one line. Where a probe ends, the reference stands a little before its target and
+/// as the printed digits show. A spline of the reference, which is printed without its points, represents one
+/// or more spline moves of one line. At the end of a probe, the reference is a little before its target and
 /// gsim on it; both are right until an axis is moved again.
 Verdict compare(std::span<const ExpectedMove> expected, std::span<const Move> found);
 

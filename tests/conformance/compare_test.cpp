@@ -91,7 +91,7 @@ TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
                                           "ARC_FEED(0.0, 10.0, 0.0, 5.0, -2, 1.0, 0.0, 0.0, 0.0)"});
     const Move right = arc(Kind::arc_cw, {10, 1, 0}, {normal_of(Plane::zx), {5, 99, 0}, 2}, 10);
     const auto judge = [&expected](Move found) { return difference(compare(expected, std::vector{found})); };
-    EXPECT_EQ(judge(right), "");  // along its own axis the centre means nothing
+    EXPECT_EQ(judge(right), "");  // along its own axis the centre is irrelevant
     Move wrong = right;
     wrong.kind = Kind::arc_ccw;
     EXPECT_EQ(judge(wrong), "kind: arc_ccw, arc_cw is expected");
@@ -99,7 +99,7 @@ TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
     wrong.arc->normal = normal_of(Plane::xy);
     EXPECT_EQ(judge(wrong),
               "plane: its normal is 0.000000 0.000000 1.000000, 0.000000 1.000000 0.000000 is expected");
-    // The same arc, told about the other normal of its plane.
+    // The same arc, given about the other normal of its plane.
     wrong.arc->normal = {0, -1, 0};
     EXPECT_EQ(judge(wrong), "sense: the arc goes the other way round");
     wrong.kind = Kind::arc_ccw;
@@ -137,7 +137,7 @@ TEST(Compare, LetsASplineStandForMovesOfOneLine) {
               "splines: the moves do not go with the splines of the reference");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2, 2), spline(2.5, 3), last})),
               "kind: spline, linear is expected");
-    // The reference does not print where a spline ends: its next move has no length if gsim stands there.
+    // The reference does not print the end of a spline: its next move has no length if gsim is there.
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(3, 2)})), "");
 }
 
@@ -164,7 +164,7 @@ TEST(Compare, KnowsThatTheReferenceStopsBeforeAProbesTarget) {
     found[4] = rapid(21, 5, 0);  // once both agree, they stay together
     EXPECT_EQ(difference(compare(expected, found)), "end point: X is 21.000000, 19.746000 is expected");
 
-    // Steps from where a probe ended add up.
+    // Steps from the end of a probe add up.
     const auto steps = expected_moves({"SET_FEED_RATE(10.0)", "STRAIGHT_PROBE(10.0, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                        "STRAIGHT_PROBE(19.7460, 0.0, 0.0, 0.0, 0.0, 0.0)",
                                        "STRAIGHT_TRAVERSE(20.4920, 0.0, 0.0, 0.0, 0.0, 0.0)"});

@@ -8,7 +8,7 @@
 
 namespace gsim::conformance {
 
-/// A part program whose canonical output is recorded beside it.
+/// Part program with its canonical output recorded in the same folder.
 struct Recorded {
     std::filesystem::path program;
     std::filesystem::path canon;      ///< Compressed by gzip.

@@ -25,7 +25,7 @@ namespace {
 constexpr int kAgree = 0;
 constexpr int kDiffer = 1;
 constexpr int kUsage = 2;
-constexpr int kSkipped = 77;  // what CTest is told to take for a test that was not run
+constexpr int kSkipped = 77;  // exit status that CTest takes for a test that was not run
 
 struct Arguments {
     std::string folder;

@@ -15,8 +15,8 @@ using Mismatch = std::optional<std::string>;
 
 constexpr double kRounding = 1e-6;          // of sums of printed and computed values, mm and deg
 constexpr double kRelativeFeed = 1e-6;      // feeds that follow from a length and a time
-constexpr double kPrintedSeconds = 5e-5;    // of a dwell: four digits behind the point
-constexpr double kPrintedDirection = 2e-6;  // under a rotation of four digits behind the point, in deg
+constexpr double kPrintedSeconds = 5e-5;    // of a dwell: four digits after the point
+constexpr double kPrintedDirection = 2e-6;  // under a rotation of four digits after the point, in deg
 constexpr double kSeconds = 1e-6;           // of sums of times
 
 bool near(double a, double b, double tolerance) {
@@ -30,7 +30,7 @@ bool near(const AxisValues& a, const AxisValues& b, const AxisValues& tolerance)
     return true;
 }
 
-// Both stay as far apart as a probe left them; how far that is, was printed too.
+// Both sides keep the distance that a probe left between them; that distance was printed, too.
 bool keeps_apart(const ExpectedMove& expected, const Move& found, const Standing& standing,
                  std::size_t axis) {
     return standing.apart[axis] != 0 &&
@@ -52,7 +52,7 @@ double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Whether both are that vector, or one is the other's opposite.
+// Returns true if both are that vector, or one is the opposite of the other.
 bool same_direction(const Vector& a, const Vector& b, double sense) {
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
         if (!near(a[axis], sense * b[axis], kPrintedDirection)) return false;
@@ -60,7 +60,7 @@ bool same_direction(const Vector& a, const Vector& b, double sense) {
     return true;
 }
 
-// A plane has two normals, and the sense of an arc is that about the one which is told.
+// A plane has two normals, and the sense of an arc refers to the given one.
 Mismatch plane_mismatch(const Move& wanted, const Move& found) {
     const Vector& normal = wanted.arc->normal;
     const bool same_kind = wanted.kind == found.kind;
@@ -73,7 +73,7 @@ Mismatch plane_mismatch(const Move& wanted, const Move& found) {
                        text::joined(found.arc->normal, " ", "{:.6f}"), text::joined(normal, " ", "{:.6f}"));
 }
 
-// Along the arc's own axis a centre means nothing.
+// Along the arc's own axis a centre is irrelevant.
 Mismatch center_mismatch(const ExpectedMove& expected, const ArcPart& found) {
     const ArcPart& wanted = *expected.move.arc;
     Vector apart{};
@@ -164,7 +164,7 @@ bool has_no_length(const ExpectedMove& expected, const Standing& standing) {
     if (move.kind == Kind::dwell) return move.dwell_s == 0;
     if (move.kind == Kind::spline || is_arc(move.kind)) return false;
     AxisValues tolerance = expected.tolerance;
-    for (double& value : tolerance) value *= 2;  // the place before it was printed as well
+    for (double& value : tolerance) value *= 2;  // the position before it was printed, too
     return near(move.to, standing.expected, tolerance) || near(move.to, standing.found, tolerance);
 }
 

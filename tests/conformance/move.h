@@ -39,10 +39,10 @@ constexpr Vector normal_of(Plane plane) {
     return {0, 0, 1};
 }
 
-/// What only arcs have.
+/// Values that only arcs have.
 struct ArcPart {
     Vector normal = normal_of(Plane::xy);  ///< Unit; the kind is the sense as seen against it.
-    Vector center_mm{};                    ///< Along the arc's own axis of no meaning.
+    Vector center_mm{};                    ///< Irrelevant along the arc's own axis.
     int turns = 1;                         ///< 1 up to a full circle, 2 for one more.
 };
 
@@ -51,9 +51,9 @@ struct Move {
     Kind kind = Kind::rapid;
     AxisValues to{};  ///< mm and deg
     std::optional<ArcPart> arc = {};
-    std::optional<double> feed_per_min = {};  ///< mm/min, or deg/min where only rotary axes move.
+    std::optional<double> feed_per_min = {};  ///< mm/min, or deg/min if only rotary axes move.
     double dwell_s = 0;
-    long line = 0;  ///< Of the part program; 0 where it is not known.
+    long line = 0;  ///< Line of the part program; 0 if unknown.
 };
 
 std::string_view name(Kind kind);

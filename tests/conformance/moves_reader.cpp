@@ -56,7 +56,7 @@ tl::expected<std::vector<Move>, std::string> read_moves(std::istream& text) {
         if (line.empty()) continue;
         try {
             moves.push_back(read_move(text::parse_json<json>(line)));
-        } catch (const std::exception& error) {  // nlohmann's and our own
+        } catch (const std::exception& error) {  // those of nlohmann and our own
             return tl::unexpected(
                 fmt::format("line {} of the moves cannot be understood: {}", number, error.what()));
         }

@@ -46,8 +46,8 @@ tl::expected<std::string, std::string> output_of(const std::vector<std::string>&
 GsimRuns::GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools)
     : options_(std::move(options)), machine_data_(scratch_.write("tools.txt", machine_data_text(tools))) {}
 
-// Each program is run alone, as the reference was: a name of its own in a folder without its neighbours. A
-// short one also leaves room for the message.
+// Each program is run alone, as the reference was: with a name of its own, in a folder without its
+// neighbours. A short name also leaves space for the message.
 tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) const {
     const fs::path alone = scratch_.path() / ("program" + recorded.program.extension().string());
     fs::remove(alone);
@@ -60,7 +60,7 @@ tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) co
     });
 }
 
-/// More than a recording has, so that a program that never ends does not take long.
+/// Limit above the blocks of any recording, so that an endless program does not take long.
 constexpr const char* kMostBlocks = "300000";
 
 tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& recorded) const {
@@ -79,7 +79,7 @@ tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& rec
     return read_moves(moves);
 }
 
-// gsim-run's own words.
+// Returns the messages of gsim-run.
 std::string GsimRuns::without_paths(std::string message) const {
     for (const std::string& part : {options_.gsim_run + " failed: ", scratch_.path().string() + "/"}) {
         if (const std::size_t at = message.find(part); at != std::string::npos)

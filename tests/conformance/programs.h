@@ -13,7 +13,7 @@
 
 namespace gsim::conformance {
 
-/// What gsim is run with.
+/// Options for gsim.
 struct GsimOptions {
     std::string gsim_run = "gsim-run";  ///< The program.
     std::string machine;                ///< Machine file.
@@ -37,11 +37,11 @@ class GsimRuns {
     std::filesystem::path machine_data_;
 };
 
-/// What a command (found by PATH) prints when it reads `input`; the error says how it failed.
+/// Returns the output of a command (found by PATH) that reads `input`; the error says how it failed.
 tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
                                                  const std::filesystem::path& input);
 
-/// A file's text; one whose name ends in .gz goes through gzip. The error is a sentence.
+/// Returns a file's text; a file with a name ending in .gz is unpacked by gzip. The error is a message.
 tl::expected<std::string, std::string> read_text(const std::filesystem::path& file);
 
 }  // namespace gsim::conformance

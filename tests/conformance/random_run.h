@@ -9,13 +9,13 @@ namespace gsim::conformance {
 
 /// Random programs for both sides.
 struct RandomRun {
-    std::size_t count = 0;       ///< Programs; 0: none are asked for.
-    std::size_t first_seed = 1;  ///< Of the first one; each has the next.
+    std::size_t count = 0;       ///< Programs; 0: none are run.
+    std::size_t first_seed = 1;  ///< Seed of the first; each has the next.
     std::string reference = "rs274";
     std::string keep_folder;  ///< Programs that do not agree are written there; empty: nowhere.
 };
 
-/// How many programs fared how.
+/// Number of programs by result.
 struct RandomTally {
     std::size_t agree = 0;    ///< Both ran to the end, move by move the same.
     std::size_t refused = 0;  ///< Both refuse.

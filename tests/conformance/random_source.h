@@ -23,7 +23,7 @@ class RandomSource {
         return choices.begin()[below(static_cast<unsigned>(choices.size()))];
     }
 
-    /// A decimal number with up to three digits behind its point.
+    /// Returns a decimal number with up to three digits after its point.
     std::string decimal(int least, int most);
     /// The same as a word of G-code: X12.5.
     std::string word(std::string_view letter, int least, int most) {

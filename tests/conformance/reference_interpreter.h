@@ -13,16 +13,16 @@
 
 namespace gsim::conformance {
 
-/// LinuxCNC's stand-alone interpreter, where it is installed.
+/// LinuxCNC's stand-alone interpreter, if it is installed.
 class ReferenceInterpreter {
   public:
     /// `command`: the program, `rs274` say, found by PATH.
     ReferenceInterpreter(std::string command, const std::vector<ToolRow>& tools);
 
-    /// Whether it is there and runs an empty program to its end.
+    /// Returns true if it exists and runs an empty program to its end.
     bool is_installed() const;
-    /// What it makes of a program that is run alone; nothing where it refuses it. The error is a sentence
-    /// about output that cannot be understood.
+    /// Returns its moves for a program that is run alone, or none if it rejects the program. The error is a
+    /// message about output that cannot be parsed.
     tl::expected<std::optional<std::vector<ExpectedMove>>, std::string> moves(
         const std::filesystem::path& program) const;
 

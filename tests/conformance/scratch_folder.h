@@ -15,7 +15,7 @@ class ScratchFolder {
     ~ScratchFolder();
 
     const std::filesystem::path& path() const { return path_; }
-    /// Writes a file there; throws std::runtime_error where that fails.
+    /// Writes a file there; throws std::runtime_error if that fails.
     std::filesystem::path write(const std::string& name, const std::string& text) const;
 
   private:

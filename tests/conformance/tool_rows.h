@@ -6,8 +6,7 @@
 
 namespace gsim::conformance {
 
-/// A tool for both sides. The stand-alone interpreter reads its table in inches, whatever the program's
-/// units.
+/// Tool for both sides. The stand-alone interpreter reads its table in inches, whatever the program's units.
 struct ToolRow {
     int number = 0;
     double length_inch = 0;

@@ -1,4 +1,4 @@
-// Arcs in all planes under rotations about Z, against LinuxCNC's interpreter where it is installed: random
+// Arcs in all planes under rotations about Z, compared with LinuxCNC's interpreter if it is installed: random
 // programs, move by move, with the normals of their planes.
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a module does to its process is no matter of the program that asks it.
+// Damage by a module to its own process does not affect the program that calls it.
 
 #include "controller/module/rcs_process.h"
 
@@ -29,8 +29,8 @@ constexpr RcsProcessLimits kSmall{.answer_ms = 500, .memory_bytes = 256U << 20U}
 constexpr int kStepsBefore = 50;  // of hostile_module.c
 constexpr int kCapacity = 8;      // of small_module.c
 
-/// A path to a module that no other program has, so that its processes are told from those of tests beside
-/// this.
+/// Returns a path to a module that no other program has, to distinguish its processes from those of parallel
+/// tests.
 std::string own_path(const std::string& name) {
     static const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / fmt::format("rcs_process_test_{}", ::getpid());
@@ -45,7 +45,7 @@ RcsModule begin(const std::string& name, RcsProcessLimits limits = kSmall) {
     return begin_rcs_process(tests::program_path("gsim-rcs-host"), own_path(name), slides(), limits).value();
 }
 
-/// The processes that were begun for a module, with those that it has begun itself.
+/// Returns the processes that were started for a module, with those that it has started itself.
 std::vector<pid_t> processes_of(const std::string& name) {
     std::vector<pid_t> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -67,7 +67,7 @@ Status queue(RcsShell& shell, double x) {
     return shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(x), "", 0);
 }
 
-/// A way of 10 s in steps of 0.01 s.
+/// Requests a path of 10 s in steps of 0.01 s.
 void ask_for_a_way(RcsShell& shell) {
     shell.Initialize();
     shell.SetCartesianPositionSpeed(1);
@@ -77,10 +77,10 @@ void ask_for_a_way(RcsShell& shell) {
 
 struct Misdeed {
     const char* module;
-    const char* sentence;  // behind the name of the module
+    const char* sentence;  // after the name of the module
 };
 
-/// What was made for the modules' processes goes at the end.
+/// Files for the modules' processes, removed at the end.
 class OwnPaths : public testing::Environment {
   public:
     void TearDown() override {
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"crashes_in_target", "crashed in SetNextTarget (signal 11)"}),
     [](const auto& param) { return std::string(param.param.module); });
 
-/// What a caller finds who has announced his steps.
+/// Result for a caller that has announced its steps.
 struct Found {
     int steps = 0;
     int targets = 0;
@@ -187,7 +187,7 @@ TEST(RcsProcess, SoAreTargetsAndTheCrashIsThatOfTheServiceThatTellsThem) {
     EXPECT_EQ(found.loss, "crashed in GetTargetOfLastStep (signal 11)");
 }
 
-/// A full queue is stepped on where the module is, and the target is put there once more.
+/// The module steps a full queue itself, and the target is enqueued there once more.
 TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
     for (const char* const name : {"small_module", "crashes_in_second_try"}) {
         RcsModule module = begin(name);
@@ -204,7 +204,7 @@ TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
     }
 }
 
-/// What is shared is not relied on: whatever is read there, the caller lives.
+/// Shared memory is not trusted: for any content read there, the caller survives.
 TEST(RcsProcess, AModuleThatOverwritesWhatIsSharedHurtsItselfAlone) {
     for (const RcsAhead ahead :
          {RcsAhead::nothing, RcsAhead::to_target, RcsAhead::to_end, RcsAhead::if_full}) {
@@ -253,7 +253,7 @@ TEST(RcsProcess, TwoAtOnceKnowNothingOfEachOther) {
     EXPECT_EQ(found.loss, "");
 }
 
-/// A program that is killed tells nobody; its module may be in a service that does not return.
+/// A killed program notifies no module; its module may be in a service that does not return.
 TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
     own_path("small_module");  // the folder's name is this process's
     for (const std::string name : {"hangs", "blocks_signals", "small_module"}) {

@@ -97,7 +97,7 @@ TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
 
 struct BadAnswer {
     const char* module;
-    const char* sentence;  // behind the name of the module
+    const char* sentence;  // after the name of the module
 };
 
 class RcsShellFaults : public testing::TestWithParam<std::tuple<BadAnswer, Place>> {};

@@ -13,7 +13,7 @@
 namespace gsim::rrs::shell_test {
 namespace {
 
-// A controller that offers nothing, but notes what it was asked for.
+// A controller that offers no service, but records the requested one.
 class BareShell : public Shell {
   public:
     std::string asked;

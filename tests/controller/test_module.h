@@ -27,7 +27,7 @@ inline gsim_rcs_machine slides() {
     return machine;
 }
 
-/// Where a module of a test runs.
+/// Process in which a module of a test runs.
 enum class Place { this_process, own_process };
 
 inline std::string place_name(const testing::TestParamInfo<Place>& info) {
@@ -38,7 +38,7 @@ inline auto both_places() {
     return testing::Values(Place::this_process, Place::own_process);
 }
 
-/// The error is the sentence of why it cannot be used.
+/// Returns the module; the error is the reason why it cannot be used.
 inline tl::expected<RcsModule, std::string> module_at(Place place, const std::string& name,
                                                       RcsProcessLimits limits = {}) {
     const gsim_rcs_machine machine = slides();

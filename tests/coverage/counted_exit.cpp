@@ -1,4 +1,4 @@
-// A program that ends by _Exit loses what it counted. In builds that measure coverage this stands in for it.
+// A program that ends by _Exit loses its counts. This function replaces it in builds that measure coverage.
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
-// Notes which lines of the library in Lua are run; for measuring coverage alone. Preloaded, it stands between
-// the program and lua_sethook: each hook is called for lines, too, and hands on what the program asked for.
-// When the program ends, its lines are added to those in the file GSIM_LUA_LINES (FILE:LINE, one a line).
+// Records which lines of the library in Lua are run; for measuring coverage alone. When preloaded, it
+// intercepts lua_sethook: each hook is called for lines, too, and passes on what the program requested. At
+// the end of the program its lines are added to those in the file GSIM_LUA_LINES (FILE:LINE, one a line).
 
 #include <cstdlib>
 #include <cstring>
@@ -72,7 +72,7 @@ Lines& lines() {
     return all;
 }
 
-/// What the program asked for; it has one hook.
+/// Hook that the program requested; it has one.
 lua_Hook asked = nullptr;
 
 using SetHook = void (*)(lua_State*, lua_Hook, int, int);

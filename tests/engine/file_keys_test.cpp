@@ -1,4 +1,5 @@
-// The guides of forms against the readers of files: what these take and refuse is what the guides say.
+// Comparison of the guides of forms with the readers of files: the readers accept and reject what the guides
+// say.
 #include "engine/file_keys.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vect
     return cell::read_cell(text, "c.toml", machine, {}, meshes, faults);
 }
 
-/// All that the reader of such files finds wrong.
+/// Returns all errors that the reader of such files finds.
 std::vector<std::string> faults_of(KeyedFile file, const std::string& text) {
     std::vector<std::string> faults;
     if (file == KeyedFile::machine) {
@@ -66,7 +67,7 @@ std::vector<std::string> faults_of(KeyedFile file, const std::string& text) {
     return faults;
 }
 
-/// What people are told of this key, which is not right as it is; empty where it is.
+/// Returns the error for this key, which is not right as it is, or an empty text if it is right.
 std::string refusal(const std::vector<std::string>& faults, const std::string& key) {
     for (const std::string& fault : faults) {
         for (const char* words : {"' must be", "' must hold", "' must name", "' is a diameter"}) {
@@ -106,12 +107,12 @@ class KeyOfDocument {
         if (at(path) == nullptr) return;
         EXPECT_TRUE(edit_.remove(path));
     }
-    /// What is wrong with the key when it has this value.
+    /// Returns the error of the key if it has this value.
     std::string refused(const json& value) {
         set(value);
         return refusal(faults(), name_);
     }
-    /// "inf" is a number only in the place of one.
+    /// "inf" is a number only in the position of one.
     std::string refused_infinite(const char* infinite) {
         set(1.5);
         return refused(infinite);
@@ -209,7 +210,7 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
 
 TEST(FileKeys, AreOfTheKindsThatTheReadersTake) {
     for_each_key([](KeyedFile file, const json& table, const json& key) {
-        // Of a file of robots, and looked at where it is read as such.
+        // It belongs to a file of robots, and is checked where that is read.
         if (file == KeyedFile::cell && (key["name"] == "robot" || key["name"] == "conveyor")) return;
         const bool text = key["kind"] == "text";
         KeyOfDocument wrong(file, table, key);
@@ -251,7 +252,7 @@ TEST(FileKeys, HaveTheChoicesThatTheReadersName) {
         if (key.contains("open")) return;
         std::string fault = word.refused(kUnknown);
         if (key["name"] == "kind" && key["choices"].size() == 2)
-            fault = "\"linear\" or \"rotary\"";  // goes first
+            fault = "\"linear\" or \"rotary\"";  // comes first
         std::size_t named = 0;
         for (const json& choice : key["choices"]) {
             const auto text = choice.get<std::string>();
@@ -278,7 +279,7 @@ TEST(FileKeys, AreRequiredWhereTheReadersLackThem) {
     });
 }
 
-/// What a cell is made of, as far as keys with defaults say it.
+/// Returns the contents of a cell, as far as keys with defaults set them.
 std::vector<double> figures_of(const cell::Cell& cell) {
     std::vector<double> figures{cell.clearance_mm};
     for (const cell::Item& item : cell.items) {
@@ -296,7 +297,7 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
         KeyOfDocument given(file, table, key);
         KeyOfDocument left_out(file, table, key);
         left_out.remove();
-        if (key["kind"] == "number") given.set(1.5);  // "inf" is a number only in the place of one
+        if (key["kind"] == "number") given.set(1.5);  // "inf" is a number only in the position of one
         given.set(key["default"]);
         if (file == KeyedFile::machine) {
             const auto with = machine::read_machine(given.text(), "m.toml", files());
@@ -321,7 +322,8 @@ TEST(FileKeys, StandInThePagesOfTheirFiles) {
     const std::string pages = page("machine-file.md") + page("cell-file.md");
     for_each_key([&](KeyedFile /*file*/, const json& table, const json& key) {
         EXPECT_FALSE(key["meaning"].get<std::string>().empty());
-        if (table.contains("where") && table["where"]["kind"] == "rotary") return;  // told by the linear ones
+        if (table.contains("where") && table["where"]["kind"] == "rotary")
+            return;                                                        // described by the linear ones
         if (table["at"].size() == 2 && table["at"][1] == "stops") return;  // words of programs, "M48 to M51"
         EXPECT_NE(pages.find(key["name"].get<std::string>()), std::string::npos);
     });

@@ -8,7 +8,8 @@
 
 namespace gsim::engine {
 
-/// Files by their names, and no others: a program that would look at the system's finds nothing there.
+/// Returns files by their names, and no others: a program that would read files of the system finds none
+/// there.
 inline Files given(std::map<std::string, std::string> files) {
     return Files::given([files = std::move(files)](const std::string& name) -> std::optional<std::string> {
         const auto file = files.find(name);

@@ -2,7 +2,7 @@
 
 namespace gsim::engine {
 
-// Documents that have each table which the guides of keys tell of.
+// Documents with each table in the guides of keys.
 
 inline constexpr const char* kMachine = R"(ignore = []
 [machine]

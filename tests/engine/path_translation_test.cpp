@@ -87,7 +87,7 @@ std::array<double, 4> extents_of(const std::string& program, const std::string& 
     return extents;
 }
 
-// The numbers of a path are counted from its work offset, the frame that it goes along with is not.
+// The numbers of a path are counted from its work offset; those of the frame that it moves with are not.
 TEST(PathTranslation, APathIsPlacedWhereverItsNumbersAreCountedFrom) {
     constexpr const char* kPoints =
         "point{motion='rapid', position_mm={0, 0, -5}}, point{position_mm={0, 0, -10}, feed_mm_min=600},"
@@ -96,7 +96,7 @@ TEST(PathTranslation, APathIsPlacedWhereverItsNumbersAreCountedFrom) {
     const std::string kept = "return path{name='p', work_offset='G55', ";
     const std::string bare = "return path{name='p', ";
     const std::string data = "NCFILE\nOFFSET\n54 100 50 -80\n55 100 50 -80\nENDFILE\n";
-    // From 100, 50 along X, turned about that place by 90 degrees: along Y.
+    // From 100, 50 along X, turned about that position by 90 degrees: along Y.
     const FramePose fixture{.origin_mm = {100, 50, -80}};
     FramePose turned = fixture;
     turned.rpy_deg[0] = 90;

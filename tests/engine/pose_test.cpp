@@ -37,7 +37,7 @@ std::vector<std::string> sample_names() {
     return names;
 }
 
-/// Which the inverse leaves where they are.
+/// Returns the axes that the inverse leaves unchanged.
 std::vector<std::size_t> axes_of_groups(const std::string& name) {
     return name == "arm6-cell.toml" ? std::vector<std::size_t>{0, 7} : std::vector<std::size_t>{};
 }
@@ -66,7 +66,7 @@ class Ranges {
         return std::stoul(sentence.substr(sentence.find("have ") + 5));
     }
 
-    // By halving, up to a bound where there is no end.
+    // Returns the end by bisection, or a bound if the axis has no end.
     double end(std::size_t axis, int side) const {
         constexpr double kFar = 400;
         double within = 0;
@@ -94,7 +94,7 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Angles of rpy may differ where the rotation is one.
+/// Angles of rpy may differ for the same rotation.
 double turn_between(const std::array<double, 3>& a_deg, const std::array<double, 3>& b_deg) {
     const auto matrix = [](const std::array<double, 3>& deg) {
         const double r = deg[0] * M_PI / 180, p = deg[1] * M_PI / 180, y = deg[2] * M_PI / 180;

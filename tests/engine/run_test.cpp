@@ -129,7 +129,7 @@ TEST(Run, MovesComeInChunksInTheOrderOfTime) {
     EXPECT_DOUBLE_EQ(moves.back().end[1], 3000 % 11);
 }
 
-// The way that segments go is the length that the report has, by the speed that they tell.
+// The path of the segments, by the speed that they report, is the length in the report.
 TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
     engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
     double way_mm = 0;
@@ -246,7 +246,7 @@ TEST(Documents, HaveWordsAndNumbersThatStay) {
     EXPECT_EQ(document_named("film"), std::nullopt);
 }
 
-// A body of 10 kg that goes 100 mm up at 1 m/s2 and 0.1 m/s.
+// A body of 10 kg that moves 100 mm up at 1 m/s2 and 0.1 m/s.
 constexpr const char* kLift = R"([machine]
 name = "lift"
 [dynamics]
@@ -284,7 +284,7 @@ TEST(Run, HandsOutWhatTheMotorsBringUp) {
     EXPECT_NEAR(*std::max_element(all.power_w.begin(), all.power_w.end()), 11, 1e-4);
 }
 
-// 100 mm at 0.1 m/s, from the start on, and an axis that is a fiftieth of a second behind.
+// 100 mm at 0.1 m/s, from the start on, and an axis with a lag of a fiftieth of a second.
 constexpr const char* kSlow = R"([machine]
 name = "slow"
 [[axis]]
@@ -345,7 +345,7 @@ TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
     }
 }
 
-// Of a rest one instant would leave open until when it lasts.
+// A single instant of a dwell would not show how long it lasts.
 TEST(Run, TheMotorsHoldAWeightThroughARest) {
     Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";

@@ -1,4 +1,4 @@
-// The library in Lua, compiled once for many runs: nothing but the time that it takes is another one.
+// The compiled Lua library, one for many runs: only the time that it takes differs.
 
 #include <thread>
 
@@ -18,7 +18,7 @@ struct Part {
     const char* text;
 };
 
-// Cycles, offsets, arcs, an error of the program that the library tells, and a script's own.
+// Cycles, offsets, arcs, an error of the program that the library reports, and a script's own.
 constexpr Part kParts[] = {
     {"a.nc", "ab9", "G0 X100 Y100\nF6000\nG1 X200\nG2 X100 Y100 I-50 J-50\nG4 P1\nM2\n"},
     {"b.ngc", "rs274ngc", "G21 G90 F600\nG54\nG10 L2 P1 X5\nG81 X10 Y10 Z-2 R1\nG80\nM2\n"},

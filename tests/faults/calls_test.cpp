@@ -18,7 +18,7 @@ struct Fault {
     std::string_view name;
 };
 
-// Who may not open or look at a file on the way may find another reason in what comes of it.
+// If a file cannot be opened or checked, the program may report the reason of a later error.
 std::string reason_of(const Fault& fault) {
     return fault.kind == Kind::open || fault.kind == Kind::look ? "" : std::strerror(fault.error);
 }
@@ -71,7 +71,7 @@ TEST_F(Calls, WhatMakesAFileWholeFails) {
                  {Kind::copy, EMFILE, "a second descriptor"}});
 }
 
-// Half of it is done, and the rest in another call: nothing is lost, and nothing is told.
+// Half of the transfer is done, and the remainder in another call: no data is lost, and no error is reported.
 TEST_F(Calls, WritingAndReadingInPartLosesNothing) {
     for (const Kind kind : {Kind::write, Kind::read}) {
         for (const Job& job : jobs()) {
@@ -101,7 +101,7 @@ TEST_F(Calls, AFullDiskOfTheTemporaryFileIsNamed) {
               "gcode2lua: the temporary file for the Lua cannot be written: No space left on device\n");
 }
 
-// The program is read more than once; whichever reading fails, it is not taken for the end of the program.
+// The program is read more than once; an error in any reading is not taken for the end of the program.
 TEST_F(Calls, AProgramThatCannotBeReadIsNotTakenForAShorterOne) {
     const Outcome found = run(kTranslation, {.kind = Kind::read, .which = 5, .error = EIO});
     EXPECT_EQ(found.status, 2);

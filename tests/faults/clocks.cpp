@@ -1,5 +1,5 @@
-// Preloaded, it makes the clocks jump at each look: that of the day by a year, to and fro; those that count
-// from the start by a minute, forward, as they only go forward. Processor time is left as it is.
+// When preloaded, it makes the clocks jump at each reading: that of the day by a year, back and forth; those
+// that count from the start by a minute, forward, as they only run forward. Processor time is unchanged.
 
 #include <atomic>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr long kYear_s = 365L * 24 * 3600;
 constexpr long kMinute_s = 60;
 constexpr long kNanosecondsOfOne = 1000;
 
-// What is preloaded is given nothing: its state can only be here.
+// A preloaded library receives no arguments: its state can only be here.
 std::atomic<long> looks = 0;
 
 long jump_s(clockid_t clock) {

@@ -6,7 +6,7 @@
 
 namespace gsim::faults {
 
-/// What a program asks of the system, where it may be refused.
+/// System calls of a program that may fail.
 enum class Kind : std::uint8_t {
     allocation,  ///< malloc() and its kin, so operator new, too
     write,
@@ -26,17 +26,17 @@ enum class Kind : std::uint8_t {
 };
 inline constexpr std::size_t kKinds = static_cast<std::size_t>(Kind::count);
 
-/// What is counted from the first line of main() on. It lies in a file that the program and who looks at it
-/// both have mapped, so that it is there however the program ends.
+/// Counts from the first line of main() on. They are in a file that the program and its observer both have
+/// mapped, so that they remain however the program ends.
 struct Tally {
     std::array<std::atomic<std::uint64_t>, kKinds> calls;
-    std::atomic<std::uint64_t> struck;  ///< How many calls were made to fail.
+    std::atomic<std::uint64_t> struck;  ///< Number of calls made to fail.
 };
 
-/// The file of the tally; the library does nothing where the variable is not set.
+/// File of the tally; the library is inactive if the variable is not set.
 inline constexpr const char* kTallyVariable = "GSIM_FAULT_TALLY";
 /// "KIND WHICH ERROR REPEATED": the number of the kind, which of its calls fails (from 1; 0: none), its errno
-/// (kShort: it is done in part; below 0: this signal comes first), whether (1) all later ones fail, too.
+/// (kShort: it is done in part; below 0: this signal comes first), 1 if all later ones fail, too.
 inline constexpr const char* kFaultVariable = "GSIM_FAULT";
 inline constexpr int kShort = 0;
 

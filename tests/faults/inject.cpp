@@ -1,7 +1,7 @@
-// Preloaded into a program, it counts what the program asks of the system from the first line of main() on,
-// and lets one call fail (see fault.h). Allocations are caught by their names. What the C library itself
-// does, such as the writes of stdio, has no name that could be caught: there a filter of system calls sends a
-// signal, and its handler does the call, or does not.
+// When preloaded into a program, it counts the program's system calls from the first line of main() on, and
+// lets one call fail (see fault.h). Allocations are caught by their names. Calls inside the C library, such
+// as the writes of stdio, have no name that could be caught. There a filter of system calls sends a signal,
+// and its handler does the call, or does not.
 
 #include <bit>
 #include <cerrno>
@@ -43,11 +43,11 @@ struct Fault {
     bool repeated = false;
 };
 
-// What is preloaded is given nothing: its state can only be here.
+// A preloaded library receives no arguments: its state can only be here.
 Tally* tally = nullptr;
 Fault fault;
 
-// How this call fails, if it does.
+// Returns how this call fails, if it does.
 std::optional<int> next_call(Kind kind) {
     if (tally == nullptr) return std::nullopt;
     const std::uint64_t number = ++tally->calls[static_cast<std::size_t>(kind)];
@@ -86,7 +86,7 @@ constexpr Call kCalls[] = {
 };
 constexpr std::size_t kCallCount = std::size(kCalls);
 
-// A call with this as its sixth argument, which none of ours has, is one that the handler makes.
+// Sixth argument of calls that the handler makes; none of our other calls has it.
 constexpr long kOurs = 0x67736d66;
 
 struct Arguments {
@@ -126,7 +126,7 @@ long half(long size) {
     return size > 1 ? size / 2 : size;
 }
 
-// Of what is to be written or read a half; of several pieces a half of the first that is not empty.
+// Writes or reads half of the data; of several parts, half of the first that is not empty.
 long done_in_part(long number, Arguments given) {
     long* const values = given.values;
     if (number == SYS_writev || number == SYS_readv) {
@@ -156,7 +156,7 @@ long answer_to(long number, const Arguments& given) {
         return done(number, given);
     }
     if (*error == kShort) return done_in_part(number, given);
-    // Linux has closed a file that it tells an error of.
+    // Linux has closed a file even if it reports an error for it.
     if (kind == Kind::close) static_cast<void>(done(number, given));
     return -*error;
 }
@@ -215,7 +215,7 @@ Tally* map_tally(const char* name) {
     return mapped == MAP_FAILED ? nullptr : static_cast<Tally*>(mapped);
 }
 
-// Status 125: nothing came of it.
+// Status 125: the program did not start.
 constexpr int kNotStarted = 125;
 
 void begin() {

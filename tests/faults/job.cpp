@@ -82,7 +82,7 @@ Start start_of(const Job& job, const Conditions& conditions, const fs::path& fol
     if (conditions.kind == Kind::count) return start;
     start.environment.push_back(
         fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_faults.so")));
-    // A sanitizer wants to be first; what is preloaded here does not stand in its way.
+    // A sanitizer wants to be loaded first; the preloaded library does not conflict with it.
     start.environment.emplace_back("ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0");
     start.environment.push_back(fmt::format("{}={}", kTallyVariable, (folder / "tally").string()));
     start.environment.push_back(fmt::format("{}={} {} {} {}", kFaultVariable,
@@ -136,7 +136,7 @@ int start(const Start& start) {
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, start.out.c_str(), O_WRONLY | O_CREAT, 0666);
     ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, start.err.c_str(), O_WRONLY | O_CREAT, 0666);
     ::posix_spawn_file_actions_addchdir_np(&actions, start.folder.c_str());
-    // Whoever started the tests may ignore signals (nohup), and that is inherited.
+    // The caller of the tests may ignore signals (nohup), and that is inherited.
     posix_spawnattr_t attributes;
     ::posix_spawnattr_init(&attributes);
     sigset_t all;

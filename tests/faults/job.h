@@ -10,7 +10,7 @@
 
 namespace gsim::faults {
 
-/// Sanitizers and what counts lines allocate and make system calls of their own: nothing is injected into
+/// Sanitizers and line counters allocate and make system calls of their own: no faults are injected into
 /// their builds.
 #if defined(GSIM_INSTRUMENTED)
 inline constexpr bool kInstrumented = true;
@@ -29,20 +29,20 @@ struct Job {
     std::string input = {};  ///< On standard input.
 };
 
-/// One way to run a job.
+/// Conditions of one run of a job.
 struct Conditions {
     Kind kind = Kind::count;
-    std::uint64_t which = 0;                    ///< Of its calls; 0: none fails.
+    std::uint64_t which = 0;                    ///< Number of the call; 0: none fails.
     int error = kShort;                         ///< errno, or kShort.
     bool repeated = false;                      ///< All later calls of the kind fail, too.
-    std::vector<std::string> environment = {};  ///< "NAME=value", in place of those that the test has.
-    std::string reason = {};                    ///< What the sentence must name; empty: anything.
+    std::vector<std::string> environment = {};  ///< "NAME=value", in place of those of the test.
+    std::string reason = {};                    ///< Text that the message must contain; empty: any.
 };
 
-/// What came of it.
+/// Result of a job.
 struct Outcome {
-    int status = -1;            ///< Its exit status; -1 where a signal ended it, or it hung.
-    std::string ended_by = {};  ///< "signal 11", "a hang"; empty where it ended by itself.
+    int status = -1;            ///< Its exit status; -1 if a signal ended it, or it hung.
+    std::string ended_by = {};  ///< "signal 11", "a hang"; empty if it ended by itself.
     std::string out = {};
     std::string err = {};
     Files files = {};
@@ -53,7 +53,7 @@ struct Outcome {
 /// Runs the job in a new folder, which is gone afterwards.
 Outcome run(const Job& job, const Conditions& conditions);
 
-/// What a program of the build folder is called in full.
+/// Returns the full path of a program in the build folder.
 std::string program_path(const std::string& name);
 
 /// The files of a folder and below.
@@ -74,13 +74,13 @@ class Folder {
     std::filesystem::path path_;
 };
 
-/// How a program that was begun ends.
+/// End of a program that was started.
 struct Ended {
     int status = -1;
     std::string by = {};
 };
 
-/// What a program is begun with.
+/// Parameters for starting a program.
 struct Start {
     std::vector<std::string> command;           ///< The first is the file of the program.
     std::vector<std::string> environment = {};  ///< As in Conditions.

@@ -12,7 +12,7 @@ namespace {
 
 // Those that change what is there.
 const std::vector<std::string> kChanging = {"gsim-data set", "gsim-run, kept data", "gcode2lua"};
-// What a program does to files: all of it, or what changes them.
+// Returns the calls of a program on files: all, or those that change them.
 std::vector<Kind> calls() {
     std::vector<Kind> all = {Kind::write, Kind::open, Kind::rename, Kind::remove, Kind::lock};
     if (tries_all()) all.insert(all.end(), {Kind::close, Kind::fsync, Kind::mode, Kind::look});
@@ -36,7 +36,7 @@ struct Toll {
     std::uint64_t leftovers = 0;  ///< After which something else was there, too.
 };
 
-// What is left does not disturb the next run, which is as long as nothing kills it.
+// Leftover files do not disturb the next run, which is complete as long as no signal kills it.
 void expect_next_run_goes_well(const Job& job, const Outcome& killed) {
     Job next = job;
     next.files = killed.files;

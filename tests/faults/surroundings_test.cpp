@@ -1,4 +1,4 @@
-// What is around a program: clocks that jump, a locale with commas, folders that cannot be written or are
+// Surroundings of a program: clocks that jump, a locale with commas, folders that cannot be written or are
 // gone, others that write the same files.
 
 #include <cstdlib>
@@ -46,7 +46,7 @@ TEST(Clocks, ALimitOfProcessorTimeStillEndsALoop) {
     EXPECT_NE(found.out.find("--max-cpu-seconds"), std::string::npos) << found.out;
 }
 
-/// Runs a command in a folder of its own.
+/// Runner of a command in a folder of its own.
 class InFolder {
   public:
     explicit InFolder(const Files& files) { write_files(folder_.path(), files); }
@@ -81,7 +81,7 @@ TEST(Clocks, WaitingForALockEnds) {
 
 class Locale : public testing::Test {
   protected:
-    /// Makes the locale; false where that cannot be done.
+    /// Makes the locale; returns false if that cannot be done.
     bool make() const {
         const InFolder folder({});
         const std::string made = (folder_.path() / kName).string();
@@ -108,8 +108,8 @@ TEST_F(Locale, CommasOfTheLocaleAreInNoOutput) {
 
 // --- Folders ---
 
-/// As a user whom modes hold: who runs the test, or `nobody` in place of root. Empty where that cannot be
-/// done.
+/// Returns a command prefix for a user bound by file modes: the user of the test, or `nobody` in place of
+/// root. Empty if that cannot be done.
 std::vector<std::string> as_ordinary_user() {
     if (::geteuid() != 0) return {"/usr/bin/env"};
     const std::vector<std::string> user = {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534",
@@ -191,8 +191,8 @@ TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
     EXPECT_EQ(now.at("lua"), whole.at("lua"));
 }
 
-// Two programs of different length, written by many runs under the same names: each file is one of theirs as
-// a whole.
+// Two programs of different length, written by many runs under the same names: each file is completely one of
+// theirs.
 TEST(Folders, ManyAtOnceLeaveWholeFiles) {
     const std::string samples = tests::source_path("samples/");
     const std::vector<std::vector<std::string>> commands = {

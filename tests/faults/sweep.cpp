@@ -21,12 +21,12 @@ constexpr unsigned kSeed = 14;
 constexpr int kRefused = 2;
 constexpr std::size_t kShown = 5;
 
-// A run that was made to fail tells why; with --json on standard output.
+// Returns true if a run that was made to fail reports why; with --json on standard output.
 bool tells(const Outcome& clean, const Outcome& found) {
     return (!found.err.empty() && found.err != clean.err) || (!found.out.empty() && found.out != clean.out);
 }
 
-// Where it cannot be told whose lock it is, it stays; it holds nobody up.
+// A lock with an unknown owner stays; it blocks no process.
 bool is_lock(const std::string& name) {
     return name.ends_with(".lock");
 }
@@ -48,7 +48,7 @@ std::string file_fault(const Job& job, const Outcome& clean, const Outcome& foun
     return {};
 }
 
-// What is wrong with a run under this fault; empty: nothing.
+// Returns the error of a run under this fault; empty: none.
 std::string find_wrong_with(const Job& job, const Conditions& fault, const Outcome& clean,
                             const Outcome& found) {
     std::string wrong = find_wrong(job, clean, found);

@@ -13,7 +13,7 @@
 namespace gsim::fuzz {
 namespace {
 
-/// Of a cell that a run goes through: thousands of bodies would be a matter of time alone.
+/// Max items of a cell that a run uses: thousands of bodies would only take time.
 constexpr std::size_t kMostItems = 30;
 
 machine::Machine cell_machine() {

@@ -17,7 +17,7 @@ std::vector<machine::Axis> data_axes() {
     return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value().axes;
 }
 
-/// Data that are written anew mean the same.
+/// Data that are rewritten mean the same.
 std::optional<std::string> fault_of_data(const machine::MachineData& data,
                                          const std::vector<machine::Axis>& axes) {
     const std::string text = machine::write_machine_data(data, axes);

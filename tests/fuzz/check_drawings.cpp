@@ -16,7 +16,7 @@ namespace {
 using drawing::Drawing;
 
 constexpr double kRounding = 1e-9;
-/// A path round so many edges takes milliseconds.
+/// A path round this number of edges takes milliseconds.
 constexpr std::size_t kMostEdges = 200;
 
 constexpr double kKerf_mm = 1;
@@ -65,7 +65,7 @@ Outcome outcome_of_drawing(const tl::expected<Drawing, std::string>& drawing) {
     return chained.closed.empty() ? refused() : accepted();
 }
 
-/// Of sentences one below the other.
+/// Checks messages on separate lines.
 std::optional<std::string> fault_of_list(std::string_view error) {
     while (true) {
         const std::size_t end = std::min(error.find('\n'), error.size());

@@ -18,7 +18,7 @@ using import::Imported;
 constexpr std::string_view kLetters = "XYZBC";
 constexpr double kMmPerInch = 25.4;
 
-/// What is taken over can be written, or a sentence says what no file can hold; what is written is right.
+/// Imported settings can be written, or a message names what no file can hold; written files are right.
 std::optional<std::string> fault_of_files(const Imported& imported, const std::string& file) {
     for (const auto* told : {&imported.warnings, &imported.left_out}) {
         for (const std::string& sentence : *told) {
@@ -41,7 +41,7 @@ std::optional<std::string> fault_of_machine(const Imported& imported, const std:
     return std::nullopt;
 }
 
-/// What is missing has no line.
+/// An error about a missing item has no line.
 std::optional<std::string> fault_of_import(const std::string& error, const std::string& file) {
     for (const std::string_view missing :
          {"is not there", "there is neither", "names no axes", "no range", "its settings make no machine"}) {

@@ -10,7 +10,7 @@
 namespace gsim::fuzz {
 namespace {
 
-/// What is read can be planned for: moves come to an end, an alarm among these.
+/// A machine that was read can be planned for: moves come to an end, possibly an alarm.
 Outcome move_it(machine::Machine machine) {
     Outcome outcome = outcome_of(run_moves({.machine = std::move(machine)}));
     outcome.accepted = true;  // the machine was read, whether or not it can make these moves

@@ -22,7 +22,7 @@ machine::Machine module_machine() {
     return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();
 }
 
-/// A machine as modules are told of it, and what its answers shall be.
+/// Machine as modules receive it, and the answers that they must give.
 class Description {
   public:
     Description(const machine::Machine& machine, std::string_view answers)
@@ -47,7 +47,7 @@ class Description {
     std::array<gsim_rcs_parameter, 2> parameters_;
 };
 
-/// Loaded once in a process: trying it out takes a process of its own.
+/// Loaded once in a process, because its trial takes a process of its own.
 const std::shared_ptr<const rrs::RcsLibrary>& answers_library() {
     static const std::shared_ptr<const rrs::RcsLibrary> library = [] {
         const Description description(module_machine(), "");
@@ -89,7 +89,7 @@ class Caller {
         if (!broken_) broken_ = fmt::format("{} {}", service, what);
     }
 
-    /// True where the service has given an answer.
+    /// Returns true if the service has given an answer.
     bool note(std::string_view service, Status status) {
         const bool is_fault = status == Status::RRS_MODULE_FAULT;
         if (is_fault != shell_.fault().has_value())

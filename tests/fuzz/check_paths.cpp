@@ -17,9 +17,9 @@
 namespace gsim::fuzz {
 namespace {
 
-/// What a post writes in all, as a text with the files one behind the other.
+/// Max output of a post, as a text with all files one after the other.
 constexpr std::size_t kMostBytes = std::size_t{256} << 10U;
-/// Beyond these a path takes long to write, whatever it is.
+/// Max repeats; with more, any path takes long to write.
 constexpr int kMostRepeats = 20;
 constexpr double kFarthest_mm = 1e4;
 constexpr double kMostTurn_deg = 7200;
@@ -59,7 +59,7 @@ bool is_small(const path::Program& program) {
     return true;
 }
 
-/// What a path becomes by a post, in a program or several; the error is a sentence.
+/// Returns the output of a post for a path, in one program or several; the error is a message.
 tl::expected<std::string, std::string> written(path::PathFile file, const machine::Machine& machine,
                                                const codegen::Post& post) {
     machine::MachineData data;
@@ -86,7 +86,7 @@ tl::expected<std::string, std::string> written(path::PathFile file, const machin
     return text;
 }
 
-/// The post's own dialect reads what it writes.
+/// The post's own dialect reads its output.
 std::optional<std::string> fault_of_program(const path::PathFile& file, const machine::Machine& machine,
                                             std::string_view post_name) {
     const auto post = codegen::find_post(std::string(post_name));
@@ -126,7 +126,7 @@ Outcome check_path_json(std::string_view json) {
 Outcome check_path_script(std::string_view lua) {
     const std::string file = name_beside(".lua");
     const auto path = script::run_path_script(lua, file, kScriptLimits);
-    // What a script raises by error() is its own sentence.
+    // A text that a script raises by error() is the script's own message.
     if (!path) return {.accepted = false, .broken = fault_of_sentence(path.error())};
     return check_path(*path);
 }

@@ -8,7 +8,7 @@
 namespace gsim::fuzz {
 namespace {
 
-constexpr std::uint64_t kMostJobs = 10'000;  // that take milliseconds
+constexpr std::uint64_t kMostJobs = 10'000;  // which take milliseconds
 
 std::optional<std::string> fault_of_job(const batch::Job& job) {
     const std::string line = batch::print_job(job);
@@ -19,7 +19,7 @@ std::optional<std::string> fault_of_job(const batch::Job& job) {
     return std::nullopt;
 }
 
-/// What the search of a plan comes to, where it has one.
+/// Returns the result of a plan's search, if it has one.
 Outcome check_search(std::string_view toml, const std::string& file) {
     const auto search = batch::read_search(toml, file);
     if (!search) return refused_with(search.error(), file);

@@ -50,7 +50,7 @@ std::optional<std::string> fault_of_axis(const calibrate::AxisRecord& record) {
     return std::nullopt;
 }
 
-/// A machine that tips may be measured on.
+/// Returns a machine on which TCPs may be measured.
 const machine::Machine& measured_machine() {
     static const machine::Machine kMachine =
         machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();

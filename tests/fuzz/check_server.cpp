@@ -25,7 +25,7 @@ std::string content_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A server over a folder with a link out of it; its engine cannot be begun, so that no processes are.
+/// Server over a folder with a link out of it; its engine cannot be started, so that no processes are.
 class Served {
   public:
     Served() {
@@ -50,7 +50,7 @@ class Served {
         fs::remove_all(around_, ignored);
     }
 
-    /// In what is sent @T stands for the token and @P for the port, which no input can know.
+    /// In the request @T represents the token and @P the port, which no input can know.
     std::string answer_to(std::string_view sent) {
         std::string known;
         for (std::size_t i = 0; i < sent.size(); ++i) {
@@ -70,7 +70,7 @@ class Served {
     const std::string& token() const { return token_; }
     const std::string& log() const { return log_; }
 
-    /// What must hold outside of the folder.
+    /// Returns true if the outside is unchanged.
     bool untouched() const {
         return content_of(around_ / "secret.txt") == kSecret &&
                std::distance(fs::directory_iterator(around_), {}) == 2;
@@ -103,7 +103,7 @@ Outcome check_server_request(std::string_view sent) {
     static Served served;
     const std::string answered = served.answer_to(sent);
     if (!answered.empty() && answered.rfind("HTTP/1.1 ", 0) != 0) return broken("an answer is no HTTP");
-    const bool guessed = sent.find(kSecret) != std::string_view::npos;  // and said back in a refusal
+    const bool guessed = sent.find(kSecret) != std::string_view::npos;  // and repeated in an error
     if (!guessed && answered.find(kSecret) != std::string::npos)
         return broken("a file outside of the folder was read");
     if (!served.untouched()) return broken("something outside of the folder was written");

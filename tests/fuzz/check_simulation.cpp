@@ -9,14 +9,15 @@
 namespace gsim::fuzz {
 namespace {
 
-/// Looks ahead, rounds corners and limits the jerk; its rotary axes turn the tool about its tip.
+/// This controller looks ahead, rounds corners and limits the jerk; its rotary axes turn the tool about its
+/// TCP.
 constexpr std::string_view kGantryRules = R"(
 [controller]
 model = "blend"
 limit_jerk = true
 )";
 
-/// Another planner, and nothing that limits an axis but its speed and acceleration.
+/// Another planner, and no limits on an axis but its speed and acceleration.
 constexpr std::string_view kRouter = R"(
 [machine]
 name = "router"

@@ -12,7 +12,7 @@
 namespace gsim::fuzz {
 namespace {
 
-/// What a request may name.
+/// Returns a file of a request.
 std::optional<std::string> file_of_page(const std::string& name) {
     static const std::map<std::string, std::string> kFiles{
         {"part.nc", "G21 G90\nG0 X10\nG1 Y20 F6000\nG2 X30 Y20 I10\nM2\n"},
@@ -53,7 +53,7 @@ std::size_t aligned(std::size_t size) {
     return (size + 7) / 8 * 8;
 }
 
-/// The messages of an answer, by the layout that pages read.
+/// Messages of an answer, by the layout that pages read.
 class Messages {
   public:
     void take(const std::string& bytes) {

@@ -29,7 +29,7 @@ void collect(const json& value, const TomlPath& path, std::vector<TomlPath>& pat
         collect(inner, value.is_array() ? below(path, index++) : below(path, key), paths);
 }
 
-/// What an edit does: from two bytes, where and what.
+/// Returns the result of an edit given by two bytes: position and change.
 TomlEdit::Done edited(TomlEdit& edit, unsigned char where, unsigned char what) {
     static const std::vector<json> kValues{0.5,
                                            -3,
@@ -58,7 +58,7 @@ TomlEdit::Done edited(TomlEdit& edit, unsigned char where, unsigned char what) {
 }  // namespace
 
 Outcome check_toml_edit(std::string_view bytes) {
-    constexpr std::string_view kEnd = "\n%\n";  // no line of TOML; edits stand behind it
+    constexpr std::string_view kEnd = "\n%\n";  // no line of TOML; edits follow it
     const std::size_t end = bytes.find(kEnd);
     const std::string_view text = bytes.substr(0, end);
     auto edit = TomlEdit::read(std::string(text), "fuzz.toml");

@@ -6,16 +6,16 @@
 
 namespace gsim::fuzz {
 
-// The checks of the targets. Whatever is read, reading it again gives the same, and an error is one line that
-// says where. What each promises beyond that stands with it.
+// Checks of the targets. For any input, reading it again gives the same, and an error is one line with a
+// position. Further promises are documented with each check.
 
 /// Part programs become Lua, or there is a diagnostic. The Lua has the source's lines one further down and
 /// one line after them, and Lua compiles it.
 Outcome check_translate_ab9(std::string_view gcode);
 Outcome check_translate_rs274ngc(std::string_view gcode);
 
-/// Part programs that are translated, and scripts, run to an end within small limits, and again to the same
-/// report (fault_of_report() tells what holds for one).
+/// Part programs that are translated, and scripts, run to an end within small limits. A second run gives the
+/// same report (fault_of_report() defines what holds for one).
 Outcome check_simulate_ab9(std::string_view gcode);
 Outcome check_simulate_rs274ngc(std::string_view gcode);
 Outcome check_lua_script(std::string_view lua);
@@ -33,7 +33,7 @@ Outcome check_post(std::string_view toml);
 /// Plans by a table of materials have finite figures.
 Outcome check_materials(std::string_view toml);
 
-/// Changes of a document are made as they are asked for, or refused and change nothing.
+/// Changes of a document are made as requested, or rejected without any change.
 Outcome check_toml_edit(std::string_view bytes);
 
 /// Paths are written and read back the same. By the posts that are built in they become programs that the
@@ -41,13 +41,13 @@ Outcome check_toml_edit(std::string_view bytes);
 Outcome check_path_json(std::string_view json);
 Outcome check_path_script(std::string_view lua);
 
-/// Machine data come back byte for byte, and mean the same when they are written anew.
+/// Machine data come back byte for byte, and mean the same when they are rewritten.
 Outcome check_machine_data(std::string_view text);
 Outcome check_machine_data_json(std::string_view json);
 /// Permanent variables are written and read back the same.
 Outcome check_variables(std::string_view text);
 
-/// What is taken over of a control's settings can be written as machine data and machine files.
+/// Settings imported from a controller can be written as machine data and machine files.
 Outcome check_tool_table(std::string_view text);
 Outcome check_parameters(std::string_view text);
 Outcome check_linuxcnc_ini(std::string_view text);
@@ -56,14 +56,14 @@ Outcome check_grbl_settings(std::string_view text);
 /// Jobs of a plan of many runs are the same when the plan is handed on, and come back from their lines.
 Outcome check_batch_plan(std::string_view toml);
 
-/// What a machine did, for calibration: samples are finite and their times rise, whatever is made of the
-/// numbers in columns; a motion takes a time.
+/// Recorded motion of a machine, for calibration: samples are finite and their times rise, for any
+/// interpretation of the numbers in columns; a motion takes a time.
 Outcome check_motion_record(std::string_view text);
-/// Each axis has as many set points and places as times, which rise.
+/// Each axis has as many set points and positions as times, which rise.
 Outcome check_servo_record(std::string_view text);
 /// Each run has a program, and a time above 0 or a recording.
 Outcome check_run_list(std::string_view text);
-/// Tips are written and read back the same.
+/// TCPs are written and read back the same.
 Outcome check_tip_list(std::string_view text);
 
 /// Contours are finite and within bounds, and come from entities.
@@ -74,14 +74,14 @@ Outcome check_autopath(std::string_view svg);
 /// Meshes have triangles of finite corners.
 Outcome check_mesh_stl(std::string_view bytes);
 Outcome check_mesh_obj(std::string_view text);
-/// What the program that reads STEP and IGES files answers.
+/// Answer of the program that reads STEP and IGES files.
 Outcome check_solid_packet(std::string_view bytes);
 
-/// Whatever a controller module answers, what comes through is finite and of the right size, a fault is for
-/// good, and the run ends.
+/// For any answer of a controller module, values passed on are finite and of the right size, an error is
+/// permanent, and the run ends.
 Outcome check_rcs_values(std::string_view bytes);
 
-/// Whatever a page asks for, the answer's messages are whole, and its last one says how it ended.
+/// For any request of a page, the answer's messages are complete, and its last one says how it ended.
 Outcome check_studio_request(std::string_view json);
 Outcome check_server_request(std::string_view sent);
 

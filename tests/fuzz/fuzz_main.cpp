@@ -21,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using gsim::fuzz::Target;
 
-/// Set once, before the first input; libFuzzer's functions take no argument that it could come by.
+/// It is set once, before the first input, because libFuzzer's functions take no argument that could carry
+/// it.
 const Target*& chosen_target() {
     static const Target* target = nullptr;
     return target;
@@ -32,7 +33,7 @@ const Target*& chosen_target() {
     std::exit(0);
 }
 
-/// The value of the first of these options that an argument is; nothing where it is none of them.
+/// Returns the value of an argument that is one of these options, or none if it is none of them.
 std::optional<std::string_view> value_of(std::string_view argument,
                                          std::initializer_list<std::string_view> options) {
     for (const std::string_view option : options) {
@@ -41,9 +42,9 @@ std::optional<std::string_view> value_of(std::string_view argument,
     return std::nullopt;
 }
 
-/// What is read and written is what the arguments name: folders of inputs and single ones, of which the first
-/// may be added to, the dictionary, and where findings go. Whatever an input asks for beyond that and the
-/// files beside it cannot be opened.
+/// Returns the access to what the arguments name: folders of inputs and single ones, of which the first may
+/// be added to, the dictionary, and the folder for findings. An input cannot open other files, except those
+/// in tests/fuzz/beside.
 gsim::os::Allowed allowed_to(int argc, char** argv) {
     gsim::os::Allowed allowed;
     allowed.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));

@@ -1,5 +1,5 @@
-// Runs the check of each target over its corpus and over what fuzzing once found, in the folders `corpus` and
-// `findings` of the one that is given. A corpus in which nothing is right tries errors alone, and fails.
+// Runs the check of each target over its corpus and over earlier findings of fuzzing, in the folders `corpus`
+// and `findings` of the given one. A corpus without any valid input tries errors alone, and fails.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using gsim::fuzz::Outcome;
 using gsim::fuzz::Target;
 
-/// None where there is no such folder.
+/// Returns none if the folder is missing.
 std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code none;

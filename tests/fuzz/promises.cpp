@@ -13,7 +13,7 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// What is behind the first ":NUMBER:" of a text, and further numbers; nothing where there is none.
+/// Returns the text after the first ":NUMBER:" of a text, and further numbers, or none if it has none.
 std::optional<std::string_view> behind_line_number(std::string_view text) {
     for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
          colon = text.find(':', colon + 1)) {

@@ -23,16 +23,16 @@ using simulation::RunStatus;
 constexpr std::size_t kMemory_bytes = std::size_t{48} << 20U;
 constexpr std::uint64_t kSteps = 200'000;
 constexpr simulation::RunLimits kLimits{.max_time_s = 600, .max_blocks = 300};
-/// Of so many programs one is run twice, by its text: loading the library again takes most of the time.
+/// Number of programs of which one is run twice, by its text: reloading the library takes most of the time.
 constexpr std::size_t kRunTwice = 8;
-/// Of joint values: the end of a segment is stored, not computed from its law.
+/// Tolerance of joint values: the end of a segment is stored, not computed from its law.
 constexpr double kJoin = 1e-6;
 constexpr double kTimeSlack = 1e-9;
 
-/// Looks at what a run hands on: nothing jumps, and time goes on.
+/// Check of what a run passes on: values do not jump, and time does not run back.
 class Continuity final : public simulation::RunOutput {
   public:
-    /// `sampled`: the controller is a module, which may have its own idea of where motion begins.
+    /// `sampled`: the controller is a module, with perhaps another position for the start of motion.
     explicit Continuity(bool sampled) : sampled_(sampled) {}
 
     const std::optional<std::string>& broken() const { return broken_; }
@@ -85,7 +85,7 @@ std::optional<std::string> fault_of_bounds(const Report& report, double step) {
     for (const simulation::AxisBounds& axis : report.bounds) {
         if (!(axis.min <= axis.max))
             return fmt::format("axis {} goes from {} to {}", axis.letter, axis.min, axis.max);
-        const double slack = kJoin + step / 2;  // a controller goes to the step that is nearest to a target
+        const double slack = kJoin + step / 2;  // a controller moves to the step that is nearest to a target
         const bool within = axis.min >= axis.limit_min - slack && axis.max <= axis.limit_max + slack;
         if (!within && report.status == RunStatus::completed)
             return fmt::format("the run completed, and axis {} went from {} to {}, beyond {} to {}",
@@ -94,7 +94,7 @@ std::optional<std::string> fault_of_bounds(const Report& report, double step) {
     return std::nullopt;
 }
 
-/// Moves of a simulator from where it stands, until one of them is refused.
+/// Moves of a simulator from its position, until one of them is rejected.
 class ShortMoves {
   public:
     explicit ShortMoves(simulation::Simulator& simulator)

@@ -13,8 +13,8 @@
 
 namespace gsim::fuzz {
 
-/// A script on a machine. The run is over in some milliseconds whatever the script does: it may take some
-/// blocks, steps and memory, and some minutes of the machine's time.
+/// Script on a machine. The run ends within some milliseconds for any script: it may take some blocks, steps
+/// and memory, and some minutes of the machine's time.
 struct SmallRun {
     machine::Machine machine;
     std::string lua;
@@ -23,18 +23,18 @@ struct SmallRun {
     std::int64_t line_difference = 0;  ///< As script::Script has it.
 };
 
-/// What some moves are made with.
+/// Conditions of some moves.
 struct MovesRun {
     machine::Machine machine;
     motion::OverrideSchedule overrides = {};
-    std::optional<cell::Cell> cell = {};        ///< That the machine stands in.
+    std::optional<cell::Cell> cell = {};        ///< Cell of the machine.
     std::optional<rrs::RcsModule> module = {};  ///< Its controller in place of our own.
 };
 
-/// Where a run ended, and what was found while it went.
+/// End of a run, and what was found during the run.
 struct RunResult {
     simulation::Report report;
-    double greatest_step = 0;           ///< Of the machine's axes, mm or deg.
+    double greatest_step = 0;           ///< Max step of the axes, mm or deg.
     std::optional<std::string> broken;  ///< Moves or segments that do not join.
 };
 
@@ -45,11 +45,11 @@ RunResult run_once(const SmallRun& run);
 /// X, Y and Z, without any script.
 RunResult run_moves(MovesRun run);
 
-/// What does not hold of a report: it is JSON, its figures are finite and add up, it has an alarm where the
-/// run did not complete, and where it did all axes stayed within their ranges.
+/// Returns which promise a report breaks: it is JSON, its values are finite and add up, and it has an alarm
+/// if the run did not complete. If it did, all axes stayed within their ranges.
 std::optional<std::string> fault_of_report(const RunResult& result);
 
-/// The outcome of a run: accepted where it completed or was past limits.
+/// Returns the outcome of a run: accepted if it completed or was past limits.
 Outcome outcome_of(const RunResult& result);
 
 /// Runs it, and some programs twice, which must give the same report.

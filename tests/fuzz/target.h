@@ -7,10 +7,10 @@
 
 namespace gsim::fuzz {
 
-/// What became of an input.
+/// Result of an input.
 struct Outcome {
     bool accepted = false;              ///< It is right, and was read to its end.
-    std::optional<std::string> broken;  ///< A sentence about a promise that does not hold.
+    std::optional<std::string> broken;  ///< Message about a broken promise.
 };
 
 inline Outcome accepted() {
@@ -26,19 +26,19 @@ inline Outcome broken(std::string sentence) {
 /// Something of the project that reads what others wrote.
 struct Target {
     std::string_view name;
-    /// Of the folder of its corpus (tests/fuzz/corpus) and of its dictionary: targets that read the same
+    /// Name of the folder of its corpus (tests/fuzz/corpus) and of its dictionary: targets that read the same
     /// share them.
     std::string_view family;
-    /// Reads any bytes whatever and looks at what must hold for all of them.
+    /// Reads any bytes and checks what must hold for all of them.
     Outcome (*check)(std::string_view input);
-    /// Whether the system refuses files beyond those of the fuzzer. Not where what refuses them is ours, and
-    /// is tried.
+    /// True if the system blocks files beyond those of the fuzzer. False if the blocking code is ours, and is
+    /// tried.
     bool confined = true;
 };
 
 /// All of them.
 std::span<const Target> targets();
-/// The target of that name; null where there is none.
+/// Returns the target of that name, or null if it does not exist.
 const Target* find_target(std::string_view name);
 
 }  // namespace gsim::fuzz

@@ -9,7 +9,7 @@
 namespace gsim::grammar::ambiguity_test {
 namespace {
 
-/// True where the parser did not give up on `line`, and read the block behind it.
+/// True if the parser did not give up on `line`, and read the block after it.
 testing::AssertionResult comes_through(const std::string& line, lexer::Style style = lexer::Style::ab9) {
     const Parsed parsed = parse(line + "\nG1 X5\n", style);
     const std::string next = style == lexer::Style::ab9 ? "words G=1 X=5:axis" : "words G=1 X=5";

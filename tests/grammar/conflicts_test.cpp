@@ -1,5 +1,5 @@
-// The families of conflicts that the grammar leaves to GLR (see %expect in gcode.y), each in blocks that can
-// be read in several ways until their last word. An ambiguity that stayed would stop the parser.
+// Families of conflicts that the grammar leaves to GLR (see %expect in gcode.y), each in blocks with several
+// readings until their last word. An ambiguity that stayed would stop the parser.
 #include <gtest/gtest.h>
 
 #include "tests/grammar/parse.h"
@@ -7,7 +7,7 @@
 namespace gsim::grammar::conflicts_test {
 namespace {
 
-/// A block that must be read in one way, and the reading.
+/// Block with exactly one valid reading, and the reading.
 struct Reading {
     const char* text;
     const char* block;
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"IF[ATAN[1]/[2] EQ 3]THEN X5 F1 G4", "if (EQ (ATAN 1 2) 3) then X=5:time F=1 G=4"},
         Reading{"IF[1]THEN X5 P6 F1 M98", "if 1 then X=5:axis P=6:program F=1 M=98"}));
 
-// #1 at the start of a block and behind THEN: assignments here.
+// #1 at the start of a block and after THEN: assignments here.
 INSTANTIATE_TEST_SUITE_P(
     Assignments, Ab9Conflicts,
     testing::Values(Reading{"#1=2", "assign #1:=2"}, Reading{"#1=2 #[3]=4", "assign #1:=2 (# 3):=4"},
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Atan, NgcConflicts,
                                          Reading{"o1 if [ATAN[1]/[2] GT ATAN[3]/[4]]",
                                                  "if o1 (GT (ATAN 1 2) (ATAN 3 4))"}));
 
-/// What dies in all its readings is an error, never an ambiguity.
+/// A block that fails in all its readings is an error, never an ambiguity.
 TEST(Conflicts, BlocksWithoutAReading) {
     for (const char* text :
          {"X5 G4 Y1", "Y1 X5 G4", "P5 M98 G4", "X5 P6 G4 M98", "X1 #1", "X1 #1=2", "P1 # #", "X1 #[1]",

@@ -21,7 +21,7 @@ TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
     }
 }
 
-/// A letter that a code takes must have a meaning in the dialect, and none is an axis already.
+/// A letter that a code takes must have a meaning in the dialect, and must not be an axis already.
 TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
     for (const Dialect* dialect : dialects()) {
         std::string letters;

@@ -108,7 +108,7 @@ TEST(OWords, ErrorsAroundThem) {
               "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9\n");
 }
 
-/// LinuxCNC takes all blanks out of a block before it reads it.
+/// LinuxCNC removes all blanks from a block before it reads it.
 TEST(NgcBlanks, MeanNothing) {
     EXPECT_EQ(block("X[1 2 . 5] Y[. 5] Z#1 2"), "words X=12.5 Y=.5 Z=#12");
     EXPECT_EQ(block("#1 2=1 2"), "words #12:=12");

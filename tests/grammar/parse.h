@@ -8,10 +8,10 @@
 
 namespace gsim::grammar {
 
-/// What the parser makes of a text, written down for comparison.
+/// Result of the parser for a text, written down for comparison.
 struct Parsed {
-    /// One for each block, such as `N5 /1 words X=5:axis F=200`, `while (LT #1 5) do 1`; `bad` where an error
-    /// was reported.
+    /// One entry for each block, such as `N5 /1 words X=5:axis F=200`, `while (LT #1 5) do 1`; `bad` if an
+    /// error was reported.
     std::vector<std::string> blocks;
     std::string messages;  ///< "line:column: text" of the errors, one a line.
     bool finished = true;  ///< The parser came to the end by itself.
@@ -21,7 +21,7 @@ Parsed parse(std::string_view text, lexer::Style style = lexer::Style::ab9);
 /// RS274/NGC.
 Parsed parse_ngc(std::string_view text);
 
-/// `count` times `piece`, behind `before`.
+/// Returns `before` followed by `count` times `piece`.
 std::string repeated(std::string before, std::string_view piece, std::size_t count);
 
 }  // namespace gsim::grammar

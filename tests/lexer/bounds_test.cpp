@@ -9,7 +9,7 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 
-/// `piece` many times, behind `before`.
+/// Returns `before` followed by `piece` many times.
 std::string repeated(std::string before, std::string_view piece, std::size_t count) {
     std::string text = std::move(before);
     for (std::size_t i = 0; i < count; ++i) text += piece;

@@ -1,4 +1,4 @@
-// RS274/NGC: blanks and case mean nothing, letters never join to names outside of expressions.
+// RS274/NGC: blanks and case are ignored, letters never join to names outside of expressions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

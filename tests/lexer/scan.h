@@ -10,13 +10,13 @@
 
 namespace gsim::lexer {
 
-/// What the scanner makes of a text: its tokens, and the words of all blocks written as `X=5`.
+/// Result of the scanner for a text: its tokens, and the words of all blocks written as `X=5`.
 struct Scan {
     std::vector<Token> tokens;
     std::vector<std::string> words;
     std::vector<std::string> comments;
-    std::vector<std::string> programs;  ///< Names behind O.
-    std::vector<std::string> names;     ///< Of named parameters.
+    std::vector<std::string> programs;  ///< Names after O.
+    std::vector<std::string> names;     ///< Names of named parameters.
     std::vector<std::string> printed;   ///< Texts of DPRNT.
     std::vector<Value> values;          ///< One for each token.
     std::string messages;               ///< "line:column: text" of the errors, one a line.

@@ -102,7 +102,7 @@ TEST(Corners, InverseTimeKeepsTheSpeed) {
     const Outcome r = corners("G93() F(60.0) corner(10) G1{x=200}\nF(60.0) G1{y=200}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     EXPECT_NEAR(r.seconds(1), 0.9, 1e-6);
-    EXPECT_GE(r.seconds(2), 10 * kPi / 2 / 100);  // it comes to rest at both ends
+    EXPECT_GE(r.seconds(2), 10 * kPi / 2 / 100);  // it stops at both ends
     EXPECT_LT(r.seconds(2), 0.5);
     EXPECT_NEAR(r.seconds(3), 0.9, 1e-6);
 }

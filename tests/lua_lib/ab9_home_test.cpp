@@ -8,7 +8,7 @@ namespace {
 const std::string kAway = "F(6000.0) G0{x=100, y=100, z=50}\n";
 
 TEST(FurtherHomes, G29MovesTheAxesItNames) {
-    // Y has moved since; the point on the way is X's alone.
+    // Y has moved since; the intermediate point is for X alone.
     const Outcome r = run_lua(kAway + "G28{x=120} G0{y=30}\nG29{x=10}");
     expect_end(r, 10, 30, 50);
     ASSERT_EQ(r.moves.size(), 6U);

@@ -17,7 +17,7 @@ TEST(PathModes, WhatTheyDoNotDoIsSaidOnce) {
 }
 
 TEST(Spindle, OfConstantSurfaceSpeedFollowsTheRadius) {
-    // 100 m/min at 0.5 mm a turn; half way from X100 to X50 the radius is 75 mm.
+    // 100 m/min at 0.5 mm a turn; halfway from X100 to X50 the radius is 75 mm.
     const Outcome r = run_lua("G95() F(0.5) G96() S(100) G0{x=100} G1{x=50} G1{z=10} G97() S(300) G1{x=40}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
     EXPECT_NEAR(r.moves[1].info.feed_per_min, 0.5 * 100e3 / (2 * kPi * 75), 1e-6);

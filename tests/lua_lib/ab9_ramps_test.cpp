@@ -5,7 +5,7 @@
 namespace gsim::script::ab9_ramps_test {
 namespace {
 
-/// The cycle time of 100 mm at 6000 mm/min behind `words`.
+/// Returns the cycle time of 100 mm at 6000 mm/min after `words`.
 double time_s(const std::string& words) {
     const Outcome r = run(words + "\nG1 X100 F6000\nM30\n");
     EXPECT_TRUE(r.completed()) << words << ": " << r.message();

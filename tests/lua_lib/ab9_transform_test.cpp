@@ -52,7 +52,7 @@ TEST(Scaling, ByOneFactorOrThree) {
     expect_at("G14{p=0.5} G1{x=20, y=5}", 10, 2.5);
     expect_at("G14_1{p=2, x=10, y=1} G1{x=20, y=5}", 30, 9);
     expect_at("G14_1{i=2, j=3} G1{x=20, y=5, z=1}", 40, 15, 1);
-    expect_at("G14_1{p=2, j=3} G1{x=20, y=5, z=1}", 40, 15, 2);  // one of its own goes before P
+    expect_at("G14_1{p=2, j=3} G1{x=20, y=5, z=1}", 40, 15, 2);  // a factor of its own precedes P
 }
 
 TEST(Scaling, TheBareCodeEndsItWhicheverItIs) {

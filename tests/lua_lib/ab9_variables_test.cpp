@@ -7,7 +7,7 @@
 namespace gsim::script::ab9_variables_test {
 namespace {
 
-// The value of an expression behind some words, as the program prints it.
+// Returns the value of an expression after some words, as the program prints it.
 std::string value_of(const std::string& words, const std::string& expression) {
     const Outcome r = run_lua(words + " POPEN() DPRNT(\"%.4f\", " + expression + ")");
     EXPECT_TRUE(r.completed()) << words << expression << r.message();

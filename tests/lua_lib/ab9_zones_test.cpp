@@ -1,5 +1,5 @@
-// Zones of programs and of machine data: the tool is watched along its whole way, not at the ends of moves
-// alone.
+// Zones of programs and of machine data: the tool is monitored along its complete path, not at the ends of
+// moves alone.
 
 #include <cmath>
 #include <random>
@@ -49,7 +49,7 @@ TEST(Zones, ArcsAtTheirDeepestPoint) {
     EXPECT_TRUE(run_lua(kBox + "G1{x=50.1} G2{x=249.9, y=0, i=99.9}").completed());
     expect_enters("G1{x=40} G2{x=260, y=0, i=110}",
                   {"axis Y", fmt::format("X{:.4f}", 150 - std::sqrt(2100.0))});
-    // A helix that is above the box where it is over it.
+    // A helix that passes above the box.
     EXPECT_TRUE(run_lua(kBox + "G1{x=40, z=100} G2{x=260, y=0, z=90, i=110}").completed());
 }
 
@@ -88,7 +88,7 @@ TEST(Zones, AgreeWithAWalkAlongTheMove) {
     for (int n = 0; n < 150; ++n) {
         const double a[3] = {place(random), place(random), place(random)};
         const double b[3] = {place(random), place(random), place(random)};
-        double depth = -1e9;  // how deep the walk goes into the box
+        double depth = -1e9;  // depth of the path in the box
         for (int i = 0; i <= 3000; ++i) {
             const double t = i / 3000.0;
             double here = 1e9;
@@ -155,7 +155,7 @@ TEST(Zones, OfMachineDataAndOfTheProgramHoldTogether) {
     EXPECT_TRUE(run(both + "G23\nG0 Y250\nX350", with_zones()).completed());
 }
 
-// Where the tool's end is, is told by the offset of the move, not of the block that is read.
+// The offset of the move gives the position of the tool's end, not that of the block that is read.
 TEST(Zones, AreAboutTheEndOfTheTool) {
     const std::string low = "G0 Z100\nG22 Z50 K0\n";
     expect_alarm(run(low + "G1 Z49 F6000", with_tools()), 3, {"axis Z", "Z50.0000"});

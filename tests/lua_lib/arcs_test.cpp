@@ -1,5 +1,4 @@
-// Arcs in all the ways in which a program can give them (thesis, Appendix D); every value is worked out by
-// hand.
+// Arcs in all forms that a program can use (thesis, Appendix D); every value is worked out by hand.
 
 #include <cmath>
 #include <numbers>
@@ -86,7 +85,7 @@ TEST(Arcs, AHelixIsLongerThanItsCircle) {
     expect_arc(run("F1000 G0 X100 Y100 Z5\nG3 Z35 I-10\n"), {90, 100, 5}, length, {100, 100, 35});
     const Outcome r = run("F1000 G0 X100 Y100 Z5\nG3 Z35 I-10\n");
     const motion::Segment& helix = r.segments.back();
-    EXPECT_NEAR(helix.position_at(helix.duration_s / 2)[0], 80, 1e-6);  // half way round, half way up
+    EXPECT_NEAR(helix.position_at(helix.duration_s / 2)[0], 80, 1e-6);  // halfway round, halfway up
     EXPECT_NEAR(helix.position_at(helix.duration_s / 2)[2], 20, 1e-6);
 }
 

@@ -30,7 +30,7 @@ TEST(Codes, EachSupportedOneIsAFunctionOfTheLibrary) {
     EXPECT_FALSE(run_lua("assert(type(G12345) == 'function')").completed());
 }
 
-// What is recognised but comes later must not be passed over in silence.
+// A code that is recognised but comes later must not be ignored in silence.
 TEST(Codes, OthersAreRefusedWithTheirLine) {
     for (const grammar::Code& code : grammar::dialect_ab9().codes()) {
         if (code.support != grammar::Support::later) continue;
@@ -50,7 +50,7 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
           "M10",  "M11", "M30", "D1",  "H2",  "T3",  "S4",    "F5"}) {
         const Outcome r = run(std::string(code) + "\n");
         EXPECT_TRUE(r.completed()) << code << ": " << r.message();
-        EXPECT_LE(r.report.blocks, 1U) << code;  // G9 and G53 without a motion become nothing
+        EXPECT_LE(r.report.blocks, 1U) << code;  // G9 and G53 without a motion have no output
     }
 }
 

@@ -1,6 +1,6 @@
-// Cutter compensation in both dialects: where the tool goes beside a path, what it refuses, and that it never
-// comes nearer to the path than its radius. Every point is worked out by hand; those of rs274ngc are also
-// what LinuxCNC 2.9 prints for the same blocks.
+// Cutter compensation in both dialects: the tool's path next to a contour, the errors, and that the tool
+// never comes nearer to the contour than its radius. Every point is worked out by hand; those of rs274ngc are
+// also what LinuxCNC 2.9 prints for the same blocks.
 
 #include <cmath>
 #include <numbers>
@@ -79,7 +79,7 @@ TEST(NgcCompensation, GoesAroundOutsideCornersOnAnArc) {
 
 TEST(NgcCompensation, CutsBackTheMoveBeforeAnInsideCorner) {
     EXPECT_EQ(ways(run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nY20\n")), "r 0 0, f 10 2, f 28 2, f 28 20");
-    // Into and out of an arc of radius 10 about (30, 10) with the tool inside, radius 8: the ways meet
+    // Into and out of an arc of radius 10 about (30, 10) with the tool inside, radius 8: the paths meet
     // tangentially.
     EXPECT_EQ(ways(run_ngc(kStart + "G41.1 D4\nG1 X10\nX30\nG3 X40 Y10 J10\nG1 Y30\n")),
               "r 0 0, f 10 2, f 30 2, ccw 38 10, f 38 30");
@@ -93,7 +93,7 @@ TEST(NgcCompensation, MovesOutsideThePlaneKeepTheirPlaceInTheOrder) {
     EXPECT_EQ(r.moves.at(3).info.place.line, 6U);
 }
 
-// LinuxCNC has forgotten there that the tool came on an arc; the numbers are its own.
+// LinuxCNC has forgotten there that the tool came on an arc; the numbers are LinuxCNC's.
 TEST(NgcCompensation, BehindAStopAMoveBesideThePlaneHidesTheArcBeforeIt) {
     const Outcome r = run_ngc(
         "G21 F384.1\nG0 X0 Y0\nG41.1 D3.175\nG1 X24.42 Y7.5\nG91\nG2 X19.8534 Y44.0310 R91.770\nM0\n"
@@ -111,7 +111,7 @@ TEST(NgcCompensation, TheEntryMayBeAnArcThatStaysTangentAtItsEnd) {
 }
 
 TEST(NgcCompensation, WorksInThePlaneOfALathe) {
-    // Plane ZX: to the left of the way along +Z is +X.
+    // Plane ZX: to the left of the path along +Z is +X.
     EXPECT_EQ(ways(run_ngc("G21 F1000 G18\nG0 X0 Z0 Y5\nG41.1 D4\nG1 Z10\nZ30\nX20\n"), 'Z', 'X'),
               "r 0 0, f 10 2, f 28 2, f 28 20");
     // Orientation 2 puts the tool's zero point a radius below the middle of its edge in X and Z.
@@ -316,7 +316,8 @@ TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
             continue;
         }
         ++completed;
-        // The entry move comes from the side of the tool; what follows it is the tool's way along the path.
+        // The entry move comes from the side of the tool; the following moves are the tool's path along the
+        // contour.
         for (std::size_t n = 2; n < r.segments.size(); ++n) {
             const motion::Segment& segment = r.segments[n];
             for (int i = 0; i <= 10; ++i) {

@@ -86,7 +86,7 @@ TEST(Coordinates, G52MovesTheZeroPoint) {
 TEST(Coordinates, G52AndG92AndFramesAdd) {
     Conditions setup;
     setup.options.data.offsets["55"] = {{'X', 100}};
-    // At X0 of the machine G92 X-5 puts the program's zero at 5; G52 adds 10, G55 adds 100.
+    // At X0 of the machine G92 X-5 sets the program's zero to 5; G52 adds 10, G55 adds 100.
     expect_end(run("G92 X-5\nG52 X10\nG55 G0 X1\n", setup), 116, 0, 0);
 }
 
@@ -156,7 +156,7 @@ TEST(Coordinates, ATargetPastALimitNamesAxisValueAndLimit) {
 }
 
 TEST(Coordinates, AnArcThatBulgesPastALimitIsAnAlarm) {
-    // Both ends lie in range, the lowest point of the arc does not: Y goes to 5 - 10.
+    // Both ends lie in range, but the lowest point of the arc does not: Y moves to 5 - 10.
     expect_alarm(run("G0 X100 Y5\nG3 X120 I10 J0 F1000\n"), 2, {"axis Y", "limit of 0"});
 }
 

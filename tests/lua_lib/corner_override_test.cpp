@@ -1,5 +1,5 @@
-// Automatic corner override (G62): where the feed is lowered beside inside corners of cutter compensation,
-// and what time that takes. Accelerations are unlimited, so that each part takes its length by its feed.
+// Automatic corner override (G62): the feed is lowered near inside corners of cutter compensation, and takes
+// the time for it. Accelerations are unlimited, so that each part takes its length by its feed.
 
 #include <cmath>
 #include <limits>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// Half the feed from 3 mm before corners of up to 90 degrees to 5 mm behind them; tool 1 has a radius of 2
-// mm.
+// Returns conditions with half the feed from 3 mm before corners of up to 90 degrees to 5 mm after them; tool
+// 1 has a radius of 2 mm.
 Conditions conditions(double percent = 50, double before_mm = 3, double after_mm = 5, double angle_deg = 90) {
     Conditions setup;
     setup.options.data.tools[1] = {.length_mm = 0, .diameter_mm = 4};
@@ -33,7 +33,7 @@ Conditions conditions(double percent = 50, double before_mm = 3, double after_mm
     return setup;
 }
 
-// The cut from (10, 2) on, in s, where the entry move ends.
+// Returns the time of the cut from (10, 2) on, in s, the end of the entry move.
 double cut_s(const Outcome& run) {
     double sum_s = 0;
     for (std::size_t n = 2; n < run.moves.size(); ++n) sum_s += run.seconds(n);
@@ -99,8 +99,8 @@ TEST(CornerOverride, AMoveShorterThanItsDistancesIsSlowFromEndToEnd) {
 }
 
 TEST(CornerOverride, FollowsAnArcFromTheCorner) {
-    // At (30, 0) from a line that goes west into a half circle that begins to the south: the tool runs inside
-    // of it, on a radius of 8 mm.
+    // At (30, 0) a line that runs west meets a half circle that begins to the south: the tool runs inside of
+    // it, on a radius of 8 mm.
     const Outcome r = run("G62\nG0 X70 Y0\nF600 D1 G41\nG1 X60\nX30\nG3 X50 I10 J0\n", conditions(25, 0, 4));
     ASSERT_EQ(r.moves.size(), 5U) << r.message();
     const simulation::RecordedMove& slow = r.moves[3];

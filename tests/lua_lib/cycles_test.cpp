@@ -18,7 +18,7 @@ Outcome run_rs274(const std::string& lua) {
     return run_ngc_lua(lua, {});
 }
 
-// Where the examples begin: F, S, the spindle on, and the tool above X10 Y10.
+// Start of the examples: F, S, the spindle on, and the tool above X10 Y10.
 const std::string kStart = "F(600) S(100) M3() G90() G0{x=10, y=10, z=100}\n";
 
 char letter_of(simulation::MoveKind kind) {
@@ -29,7 +29,7 @@ char letter_of(simulation::MoveKind kind) {
     return kind == dwell ? 'd' : '?';
 }
 
-// The moves behind the first one, as "r 10 10 60" (rapid), "f" (feed), "t" (thread) to X Y Z, or "d 0.5"
+// Returns the moves after the first one: "r 10 10 60" (rapid), "f" (feed), "t" (thread) to X Y Z, or "d 0.5"
 // (dwell, s).
 std::string strokes(const Outcome& run) {
     std::string text;
@@ -163,7 +163,7 @@ TEST(CyclesNgc, Bore) {
               "spindle_cw spindle_off spindle_orient spindle_cw spindle_off spindle_orient spindle_cw");
 }
 
-// The operator retracts the tool; the program goes on from the clearance level.
+// The operator retracts the tool; the program continues from the clearance level.
 TEST(CyclesNgc, AfterABoreWithManualRetractTheProgramGoesOnFromAbove) {
     const Outcome r = run_rs274(kStart + "G98() G88{z=40, r=60, p=1}\nmove{x=20}\nG0{x=30}\nG0{y=20}");
     expect_strokes(r,

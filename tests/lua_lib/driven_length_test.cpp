@@ -1,4 +1,4 @@
-// Whatever a control rounds or merges, no way of a program is lost: random programs under each controller
+// However a controller rounds or merges, no path of a program is lost: random programs under each controller
 // model.
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Way {
     double length_mm = 0;
     double radius_mm = 0;  // of an arc, else 0
     double sweep_rad = 0;
-    double tolerance_mm = 0;  // of G64 P; 0: none
+    double tolerance_mm = 0;  // tolerance of G64 P; 0: none
     double merge_mm = 0;      // of G64 Q
     bool rounds = false;      // in G64
     std::vector<Vector3d> points;
@@ -40,7 +40,8 @@ struct Program {
     std::vector<Way> ways;
 };
 
-// Where lines may be merged lengths are those of what stays, so that such programs are looked at by distance.
+// If lines may be merged, lengths are those of the remaining lines, so that such programs are checked by
+// distance.
 class Programs {
   public:
     Programs(unsigned seed, bool merges) : random_(seed), merges_(merges) {}
@@ -101,7 +102,7 @@ class Programs {
         program_.ways.push_back(std::move(way));
     }
 
-    // Up to five turns; half of them end where they begin; half of them climb.
+    // Adds up to five turns; half of them end where they begin; half of them climb.
     void add_arc() {
         const double radius = 0.005 + size_mm() / 5, from = number(std::numbers::pi);
         const double part = chance(0.5) ? kTurn_rad : 0.05 + std::abs(number(kTurn_rad - 0.1));
@@ -134,8 +135,8 @@ class Programs {
     Way mode_;
 };
 
-// The most that rounding a corner takes: what leads to it and from it goes, as far as both do; within the
-// tolerance it is far less.
+// Returns the max length that rounding a corner removes: the paths to it and from it, as far as both extend;
+// within the tolerance it is far less.
 double most_cut_mm(const Way& before, const Way& after, double own_tolerance_mm) {
     if (!before.rounds && own_tolerance_mm == 0) return 0;
     const double whole = 2 * std::min(before.length_mm, after.length_mm);
@@ -144,7 +145,7 @@ double most_cut_mm(const Way& before, const Way& after, double own_tolerance_mm)
     return tolerance > 0 ? std::min(whole, 8 * tolerance) : whole;
 }
 
-// The most by which chords within the tolerance are shorter than their arc.
+// Returns the max difference of an arc and its chords within the tolerance.
 double most_chord_loss_mm(const Way& way) {
     if (way.radius_mm == 0) return 0;
     return way.length_mm * std::min(0.5, 2 * kGrblChord_mm / way.radius_mm);
@@ -183,7 +184,7 @@ double programmed_mm(const std::vector<Way>& ways) {
     return length;
 }
 
-// The driven way as chords, each of 1/40 of a segment.
+// Returns the driven path as chords, each of 1/40 of a segment.
 std::vector<Vector3d> driven(const Outcome& run) {
     std::vector<Vector3d> points{Vector3d::Zero()};
     for (const motion::Segment& segment : run.segments) {
@@ -205,7 +206,7 @@ double distance_mm(const Vector3d& point, const std::vector<Vector3d>& chain) {
     return nearest;
 }
 
-/// The length that is driven is the programmed one, less at most what rounded corners and chords may take.
+/// The driven length is the programmed one, less at most what rounded corners and chords may take.
 TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
     Programs programs(11, false);
     for (int i = 0; i < kPrograms; ++i) {
@@ -218,8 +219,8 @@ TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
     }
 }
 
-/// Where lines are merged, too, each programmed point is within the tolerances of a driven one, and arcs that
-/// are too large to count as lines are driven with all their turns.
+/// If lines are merged, too, each programmed point is within the tolerances of a driven one. Arcs that are
+/// too large to count as lines are driven with all their turns.
 TEST_P(DrivenLength, MergedLinesLeaveNothingOut) {
     Programs programs(12, true);
     for (int i = 0; i < kPrograms; ++i) {

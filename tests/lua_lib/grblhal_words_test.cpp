@@ -1,5 +1,5 @@
-// What grblHAL does otherwise than LinuxCNC with the words that both read: cycles, splines, feeds of rotary
-// axes, stops.
+// Differences of grblHAL from LinuxCNC for words that both read: cycles, splines, feeds of rotary axes,
+// stops.
 
 #include <cmath>
 

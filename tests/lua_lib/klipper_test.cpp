@@ -169,7 +169,7 @@ TEST(KlipperStates, AnOffsetMovesTheCoordinatesAndTheToolIfAsked) {
     EXPECT_NEAR(outcome.to(3, 'Z'), 1, kSame);
 }
 
-// M2 and its kin mean nothing: the file goes on.
+// M2 and similar words have no effect: the file continues.
 TEST(KlipperWords, WhatItDoesNotKnowHasNoEffect) {
     EXPECT_NEAR(time_of("G1 X50 F6000\nM2\nM3 S1000\nT1\nG54\nX70\nG1 X100\n"), 1.1, kSame);
 }

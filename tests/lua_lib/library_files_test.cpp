@@ -18,7 +18,7 @@ constexpr int kOrders = 20;
 
 class LibraryFiles : public LibraryFolder {
   protected:
-    /// What the library says of a file of its own with that text.
+    /// Returns the library's error for one of its own files with that text.
     std::string trouble_of(const std::string& name, const std::string& text) {
         write(name + ".lua", text);
         insert("init.lua", "use \"" + name + "\"\n", "for _, list in");
@@ -153,7 +153,8 @@ std::vector<Program> programs() {
             {"modes", "rs274ngc", ngc_modes}};
 }
 
-/// With a process that words switch, times that they take, a rule of stops, and a user code.
+/// Returns conditions with a process that words switch, times that they take, a rule of stops, and a user
+/// code.
 Conditions busy_conditions(const std::string& dialect) {
     Conditions setup = with_tools();
     setup.options.dialect = dialect;

@@ -12,7 +12,7 @@
 
 namespace gsim::script {
 
-/// A copy of the library in Lua in a folder of its own, gone at the end.
+/// Copy of the library in Lua in a folder of its own, removed at the end.
 class LibraryFolder : public testing::Test {
   protected:
     LibraryFolder() {
@@ -38,7 +38,7 @@ class LibraryFolder : public testing::Test {
         ASSERT_NE(place, std::string::npos) << name;
         write(name, text.insert(place, lines));
     }
-    /// Takes one line out of a file.
+    /// Removes one line from a file.
     void remove(const std::string& name, const std::string& line) {
         std::string text = read(name);
         const std::size_t place = text.find(line + "\n");
@@ -52,7 +52,7 @@ class LibraryFolder : public testing::Test {
         conditions.options.limits.steps = 1'000'000;
         return run_lua(lua, conditions);
     }
-    /// What is said where the library cannot be loaded.
+    /// Returns the error if the library cannot be loaded.
     std::string trouble() {
         try {
             run_here("G0{x=1}");

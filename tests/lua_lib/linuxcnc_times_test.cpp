@@ -11,7 +11,7 @@
 namespace gsim::script::linuxcnc_times_test {
 namespace {
 
-constexpr double kNear_s = 0.002;  // where in a period a motion begins is chance
+constexpr double kNear_s = 0.002;  // the phase of a motion's start in a period is random
 
 struct Recorded {
     const char* name;
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
                              1.940}),
     name_of);
 
-/// Of rotary axes alone the tolerance counts in degrees, and they go along X for the angle of a corner.
+/// For rotary axes alone the tolerance counts in degrees, and they move along X for the angle of a corner.
 INSTANTIATE_TEST_SUITE_P(
     RotaryAxes, LinuxcncTimes,
     testing::Values(Recorded{"before_a_line", "G64 P0.05\nG1 B15 F2000\nG1 B30\nG1 X-10\n", 1.557},
@@ -83,12 +83,13 @@ double feed_mm(const std::string& feed) {
     return run.report.feed_mm;
 }
 
-/// What the spindle will ask for is not known, so that corners are rounded for all that the machine can do.
+/// The speed that the spindle will require is not known, so that corners are rounded for the limits of the
+/// machine.
 TEST(LinuxcncSpindleFeed, RoundsCornersAsForTheTopSpeed) {
     const double by_time = feed_mm("G94 F300\n");
     const double by_turns = feed_mm("G95 F0.3\n");
-    // At 5 mm/s an arc of less than 0.1 mm is wide enough; each one takes (2 - pi/2) of its radius off the
-    // way.
+    // At 5 mm/s an arc of less than 0.1 mm is wide enough; each one shortens the path by (2 - pi/2) of its
+    // radius.
     EXPECT_GT(by_time, 120 - 0.1);
     EXPECT_LT(by_turns, 120 - 2);
 }

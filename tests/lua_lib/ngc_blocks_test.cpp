@@ -1,4 +1,4 @@
-// RS274/NGC: what a block means as a whole. The expected values are those that LinuxCNC's interpreter (rs274
+// RS274/NGC: the effect of complete blocks. The expected values are those that LinuxCNC's interpreter (rs274
 // -g) gives for the same programs.
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ TEST(NgcNumbers, OfToolsRepeatsAndTurnsNeedNotBeExact) {
     expect_alarm(run("G21\nT[.1*3*10]\nM2\n"), 2, {"T is a whole number"});
 }
 
-/// LinuxCNC compares exactly, so rounding may leave a last peck of next to nothing.
+/// LinuxCNC compares exactly, so rounding may leave a last peck of almost zero.
 TEST(NgcCycles, PecksAreCountedExactly) {
     const Outcome r = run_ngc("G21 F100\nG83 X1 Z-1 R1 Q.1\nM2\n");
     std::size_t strokes = 0;

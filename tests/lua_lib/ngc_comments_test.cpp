@@ -1,4 +1,4 @@
-// Comments of RS274/NGC that do more than tell.
+// Comments of RS274/NGC with an effect beyond messages.
 
 #include "tests/lua_lib/ngc_run.h"
 

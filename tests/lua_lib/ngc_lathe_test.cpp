@@ -1,5 +1,5 @@
-// G7 and G8 of RS274/NGC: which words are diameters and which are not. The values wanted are those that
-// LinuxCNC's interpreter prints for the same programs.
+// G7 and G8 of RS274/NGC: diameter words and others. The wanted values are those that LinuxCNC's interpreter
+// prints for the same programs.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSame_mm = 1e-9;
 
-/// X where the machine stands at the end of a program in mm and G7.
+/// Returns X of the machine at the end of a program in mm and G7.
 double end_x(const std::string& gcode) {
     const Outcome r = run_ngc("G21 F600\nG7\n" + gcode + "\nM2\n");
     EXPECT_TRUE(r.completed()) << gcode << r.message();

@@ -10,7 +10,7 @@
 namespace gsim::script::ngc_test {
 namespace {
 
-// What an expression is, printed with six decimals.
+// Returns the value of an expression, printed with six decimals.
 std::string value_of(const std::string& expression) {
     return debug_texts(run_ngc("#100=" + expression + "\n(debug,#100)\nM2\n"));
 }
@@ -194,7 +194,7 @@ TEST(NgcFrames, ToolOffsetsLieOutsideTheRotation) {
 }
 
 TEST(NgcFrames, ToolTableByPosition) {
-    // With tool 2 in force the machine stands at X2 Y3 Z1 (values of LinuxCNC).
+    // With tool 2 active the machine is at X2 Y3 Z1 (values of LinuxCNC).
     EXPECT_EQ(debug_texts(run_ngc("G21 T1 M6\nG10 L2 P1 X1 Z3 R30\nG0 X5 Y5 Z5\nG92 X3\nG10 L10 P2 X2 Y3 Z1\n"
                                   "G43 H2\n(debug,%.4f#<_x> #<_y> #<_z>)\nM2\n")),
               "2.0000 3.0000 1.0000\n");
@@ -292,7 +292,7 @@ TEST(NgcInputs, AreZeroWithoutAScriptAndElseItsAnswer) {
         "M66{p=1, l=1, q=5} DEBUG('%f', v[5399])\n"
         "M66{p=1, l=3, q=5} DEBUG('%f', v[5399])\n");
     EXPECT_EQ(debug_texts(r), "2.500000\n1.500000\n-1.000000\n");
-    EXPECT_NEAR(r.report.cycle_time_s, 1 + 5, 1e-9);  // one answer after 1 s, none within 5 s
+    EXPECT_NEAR(r.report.cycle_time_s, 1 + 5, 1e-9);  // one response after 1 s, none within 5 s
 }
 
 TEST(NgcInputs, WrongWords) {
@@ -310,7 +310,7 @@ TEST(NgcOutputs, AreEvents) {
     EXPECT_EQ(r.report.events.at(2).detail, "E3 1.5 with the next move");
 }
 
-// M62, M63 and M67 wait for a move, for which a dwell is none; the others stop the machine and act at once.
+// M62, M63 and M67 wait for a move, which a dwell is not; the others stop the machine and act at once.
 TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
     const Outcome r = run_ngc(
         "G21 G64\nM62 P1\nG4 P1\nG1 X10 F600\nM64 P2\nG1 X20\nM67 E1 Q2\nM63 P3\nM68 E2 Q5\nG1 X30\nM62 "
@@ -331,7 +331,7 @@ TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
     EXPECT_EQ(time_of("P5 off"), r.moves[4].end_s);
 }
 
-// Where the controller does not stop, the next move begins in the corner.
+// If the controller does not stop, the next move begins in the corner.
 TEST(NgcOutputs, DoNotStopTheMachineIfTheyGoWithAMove) {
     Conditions conditions = ngc_conditions();
     conditions.machine.controller.planner = rrs::PlannerKind::look_ahead;

@@ -1,5 +1,5 @@
 // RS274/NGC as LinuxCNC 2.9 reads it: EXISTS, bare feed modes, words that several codes read, names of
-// O-words, threads without a pitch, what M72 writes. The values wanted are those that its interpreter gives
+// O-words, threads without a pitch, what M72 writes. The wanted values are those that its interpreter gives
 // for the same programs.
 
 #include "tests/lua_lib/ngc_run.h"

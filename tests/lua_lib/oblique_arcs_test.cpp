@@ -1,4 +1,4 @@
-// Arcs whose plane a rotation turns out of the main ones, and arcs through a point: where they lie in the
+// Arcs in planes that a rotation turns out of the main ones, and arcs through a point: their position in the
 // machine follows from the turn of the plane's normal and of the centre.
 
 #include <Eigen/Geometry>
@@ -124,8 +124,7 @@ TEST(ObliqueArcs, ThroughAPoint) {
     EXPECT_EQ(simulation::main_plane(r.moves.back().info.normal), std::nullopt);
 }
 
-// The tool beside a path in a plane that is turned goes as it does where nothing is turned, and is turned
-// with it.
+// The compensated tool in a rotated plane moves as it does without the rotation, and is rotated with it.
 void expect_turned(const Outcome& plain, const Outcome& turned_run, const Eigen::Affine3d& map) {
     ASSERT_TRUE(plain.completed()) << plain.message() << plain.lua;
     ASSERT_TRUE(turned_run.completed()) << turned_run.message() << turned_run.lua;

@@ -1,4 +1,4 @@
-// Which moves obey the operator's overrides, word by word. Accelerations are unlimited, so that each move
+// Moves that obey the operator's overrides, word by word. Accelerations are unlimited, so that each move
 // takes its length by its speed.
 
 #include <limits>
@@ -35,7 +35,7 @@ Outcome run_linuxcnc(const std::string& program) {
     return run_ngc(program, turned(ngc_conditions(), kHalf));
 }
 
-/// The share of its speed at which a feed of 100 mm at F600, or a rapid, goes behind `words`.
+/// Returns the share of its speed that a feed of 100 mm at F600, or a rapid, has after `words`.
 double feed_share(const Outcome& r, std::size_t n = 0) {
     return 10 / r.seconds(n);
 }
@@ -47,7 +47,7 @@ struct Lock {
     const char* words;
     double feed;
     double rapid;
-    double by_spindle;  ///< Of a feed of 1 mm a turn at S600.
+    double by_spindle;  ///< Share for a feed of 1 mm a turn at S600.
 };
 
 // LinuxCNC: the enables of a move are those at its programming; FS_ENABLED is that of feeds and rapids.

@@ -1,5 +1,5 @@
-// FIXED and REFERENCE points of the machine data in scripts: whatever is in force, the machine's axes stand
-// where the data say.
+// FIXED and REFERENCE points of the machine data in scripts: whatever is active, the machine's axes are where
+// the data say.
 
 #include <cmath>
 #include <string>
@@ -57,7 +57,7 @@ TEST(Points, WhateverOffsetsAndModesAreInForce) {
     expect_end(run_rs274("G92{x=7, z=8} G43{h=2}\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
 }
 
-// With G7 a word X is a diameter, and the machine stands at half of it.
+// With G7 a word X is a diameter, and the machine is at half of it.
 TEST(Points, WhereXIsADiameter) {
     expect_end(run_rs274("G7()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
     expect_end(run_rs274("G7() G20()\nG53() G0(fixed \"CLAMP1\")"), 254, 50.8, 127, 30, -45);
@@ -84,7 +84,7 @@ TEST(Points, AnMCodeOfTheUserTakesThemByNumber) {
                10, 20, 30);
 }
 
-// X, Y and Z stand in each entry of a file, also where a machine has no such axis.
+// X, Y and Z are in each entry of a file, even if a machine has no such axis.
 TEST(Points, AxesThatTheMachineDoesNotHaveAreLeftOut) {
     Conditions setup = with_points();
     setup.options.data.fixed[1]['U'] = 5;

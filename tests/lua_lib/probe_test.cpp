@@ -1,4 +1,4 @@
-// Probing (G38.2 to G38.5): what a script answers, a plane, nothing, and the targets themselves.
+// Probing (G38.2 to G38.5): the answer of a script, a plane, no contact, and the targets themselves.
 
 #include "tests/lua_lib/ngc_run.h"
 
@@ -9,7 +9,7 @@ using simulation::ProbeFeels;
 
 constexpr double kF3000_mm_s = 50;
 
-/// How far a joint goes on that brakes from a speed: v^2 / 2a.
+/// Returns the braking distance of a joint from a speed: v^2 / 2a.
 double braking_mm(double speed_mm_s) {
     return speed_mm_s * speed_mm_s / (2 * kAcceleration_mm_s2);
 }
@@ -35,7 +35,7 @@ TEST(Probe, TripsWhereTheScriptSaysAndBrakesBehindIt) {
         "G38_2{z=-100}\n"
         "DEBUG('%.4f %.4f %.4f', v[5063], v[5070], p._z)\n",
         on_built_in());
-    // It has reached its speed where it touches: 50^2 / 2a is 2.5493 mm.
+    // The axis has reached its speed at the contact: 50^2 / 2a is 2.5493 mm.
     EXPECT_EQ(debug_texts(r), "-2.0000 1.0000 -4.5493\n");
     ASSERT_EQ(r.moves.size(), 1U);
     EXPECT_EQ(r.moves[0].info.kind, simulation::MoveKind::probe);

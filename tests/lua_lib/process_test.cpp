@@ -1,4 +1,4 @@
-// What switches the machine's process, and what a run finds wrong with it.
+// Words that switch the machine's process, and the errors that a run finds in it.
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ TEST(Process, TheSameWordInEachDialect) {
     }
 }
 
-// M62 switches as the next motion begins; a dwell is none.
+// M62 switches at the start of the next motion; a dwell is none.
 TEST(Process, AnOutputWithTheNextMoveIsOffInTheDwellBeforeIt) {
     const Outcome run = script::run("G21 F6000\nM62 P0\nG4 P5\nG1 X10\nM64 P1\nG4 P5\nM2\n",
                                     with_process(ProcessKind::jet, {{62, {}}, {64, {{'P', 1}}}}, {{63, {}}}));
@@ -104,7 +104,7 @@ TEST(Process, FindingsOfAJet) {
     EXPECT_EQ(run.report.status, simulation::RunStatus::completed);
 }
 
-// The jet is switched on where the way ends: it leads to the next cut.
+// The jet is switched on at the end of the path, which leads to the next cut.
 TEST(Process, AFeedMoveToTheNextCutIsNoFault) {
     EXPECT_EQ(
         findings(script::run("G1 X10 F6000\nM8\nG1 X50\nM9\nG1 X60\nG1 Y5\nM8\nG1 X70\nM9\nM30\n", jet())),

@@ -1,4 +1,4 @@
-// Programs and subprograms, block delete, the limits of a run, and places of alarms.
+// Programs and subprograms, block delete, the limits of a run, and source locations of alarms.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ TEST(Programs, ACallComesBackPlainlyWhereOthersSayAtWhichBlockToGoOn) {
 }
 
 TEST(Programs, AReturnThatSaysWhereToGoOnHoldsForItsCallAlone) {
-    // The first call goes on at N20, the second one comes back plainly.
+    // The first call continues at N20, the second one returns plainly.
     expect_end(run("O1\n#100=2\nM98 P5\nG0 Y1\nN20 #100=0\nM98 P5\nG0 X5\nM30\n"
                    "O5\nIF [#100 EQ 2] GOTO 8\nM99\nN8 M99 P20\n"),
                5, 0, 0);
@@ -157,7 +157,7 @@ TEST(Programs, AJumpBackAtTheEndOfTheMainProgramIsAPassToo) {
         setup.options.passes = 4;
         expect_end(run(gcode, setup), 5, 4, 0);
     }
-    // What is not the last block, or depends on something, is a loop like any other.
+    // A jump that is not in the last block, or is conditional, makes a normal loop.
     const Outcome loop = run("N10 G91 G0 Y1\n#1=#1+1\nIF [#1 LT 3] GOTO 10\n");
     expect_end(loop, 0, 3, 0);
     EXPECT_EQ(loop.report.passes, std::nullopt);
@@ -182,7 +182,7 @@ TEST(Programs, PassesEndAtTheLimitsOfTheRun) {
 TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
     Conditions setup;
     setup.options.limits.steps = 1'000'000;
-    // Run in pieces it is the same loop, but its last step may be another one.
+    // In parts the loop runs the same, but may end at another step.
     const Outcome r = run_lua("G0{x=1}\nwhile 1.0 == 1.0 do\nv[1] = v[1] + 1.0\nend\n", setup);
     expect_stopped(r, "--max-steps");
     EXPECT_GE(r.line(), 2U);

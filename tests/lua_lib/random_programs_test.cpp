@@ -1,5 +1,5 @@
 // Random programs and a plain evaluator of the same blocks, written a second time: every move ends where its
-// block says, keeps to its line or arc, and keeps the limits.
+// block says, stays on its line or arc, and keeps the limits.
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ struct Wanted {
     Vector3d center = Vector3d::Zero();
     int plane = 0;
     double radius = 0, turn = 0;  // turn: rad, positive counterclockwise
-    double feed_per_s = 0;        // mm/s, or deg/s where rotary axes move alone
+    double feed_per_s = 0;        // mm/s, or deg/s if only rotary axes move
 };
 
 class Generator {
@@ -194,7 +194,8 @@ class Generator {
     bool incremental_ = false;
 };
 
-// Where the arc is after a part of its way, 0 to 1: the angle and the lift grow with the way alike.
+// Returns the arc's point after a part of its path, 0 to 1: the angle and the lift both grow in proportion to
+// the path.
 Vector3d arc_point(const Wanted& move, double part) {
     const auto [first, second, normal] = kPlanes[static_cast<std::size_t>(move.plane)];
     const Vector3d out = move.start.head<3>() - move.center;

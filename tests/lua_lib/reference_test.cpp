@@ -23,7 +23,7 @@ std::string text_of(const fs::path& path) {
 
 const fs::path kSource = tests::source_path();
 
-// 129.99 s was worked out by hand, from each joint's own trapezoid: what own_ramps does.
+// 129.99 s was worked out by hand, from each joint's own trapezoid, as with own_ramps.
 TEST(Reference, TheWheelOnTheCalibratedMachine) {
     Conditions setup;
     setup.machine = machine::load_machine(kSource / "samples/machines/af5-measured.toml").value();

@@ -18,7 +18,7 @@ namespace gsim::script {
 
 machine::Machine built_in_machine();
 
-/// What a program is run with; as it stands: the built-in machine, nothing stored, no switch on.
+/// Conditions of a run; by default: the built-in machine, no stored values, no switch on.
 struct Conditions {
     machine::Machine machine = built_in_machine();
     Engine::Options options;
@@ -31,7 +31,7 @@ struct Conditions {
 /// The same with two tools in the table: 10 and 25 mm long, 6 and 4 mm in diameter.
 Conditions with_tools(Conditions setup = {});
 
-/// What came of a run.
+/// Result of a run.
 struct Outcome {
     machine::Machine machine;
     std::string lua;
@@ -44,15 +44,15 @@ struct Outcome {
     std::uint32_t line() const { return report.alarm ? report.alarm->place.line : 0; }
     /// Value of an axis (mm or deg) at the end of move `n`, from 0.
     double to(std::size_t n, char letter) const;
-    /// Where the machine stands at the end: X, Y, Z in mm, B and C in deg.
+    /// Returns the machine's position at the end: X, Y, Z in mm, B and C in deg.
     std::array<double, 5> end() const;
     double seconds(std::size_t n) const { return moves.at(n).end_s - moves.at(n).start_s; }
     /// The kinds of all events in their order, with one blank between them.
     std::string events() const;
 };
 
-/// Translates a program, which must have no errors, and runs it, as a whole and function by function, which
-/// must come to the same; its file is "part.nc".
+/// Translates a program, which must have no errors, and runs it, both at once and function by function, with
+/// the same result. Its file is "part.nc".
 Outcome run(std::string_view gcode, Conditions setup = {});
 /// Runs a script; its file is "part.lua".
 Outcome run_lua(std::string_view lua, Conditions setup = {});
@@ -61,7 +61,7 @@ Outcome run_script(Script script, Conditions setup);
 /// The diagnostics of a program that must not translate.
 std::string errors_of(std::string_view gcode, std::string_view dialect = "ab9");
 
-/// The least time from rest to rest, from first principles.
+/// Returns the min time from standstill to standstill, from first principles.
 double trapezoid_s(double length, double speed, double acceleration);
 
 inline constexpr double kFeed_mm_s = 254;

@@ -49,7 +49,7 @@ TEST(Boring, FeedsOutAfterADwell) {
     EXPECT_NEAR(r.to(4, 'Z'), 60, kClose_mm);
 }
 
-// --- Compensation of the 9/Series where the side changes ---
+// --- Compensation of the 9/Series with a change of side ---
 
 // A tool of radius 3.
 Outcome run_compensated(const std::string& gcode) {
@@ -59,8 +59,8 @@ Outcome run_compensated(const std::string& gcode) {
     return run("G21 F1000\nG0 X-30 Y0\n" + gcode + "G40\nG1 X-30 Y40\nM30\n", setup);
 }
 
-// The tool passes where both of its ways are: a line 3 beside y = 0, and a circle of radius 10 - 3 about (10,
-// 0).
+// The tool passes the intersection of both paths: a line 3 off y = 0, and a circle of radius 10 - 3 about
+// (10, 0).
 TEST(SidesThatChange, AtTheMeetingPointOfALineAndACircle) {
     const double x = 10 + std::sqrt(7 * 7 - 3 * 3);
     const Outcome out = run_compensated("G41 D1\nG1 X0\nX20\nG42\nG2 X20 Y0 I-10 J0\n");

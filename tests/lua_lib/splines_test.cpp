@@ -1,5 +1,5 @@
-// G5, G5.1, G5.2: pairs of arcs whose ends are on the curve, four pairs for each control point, as LinuxCNC
-// has them.
+// G5, G5.1, G5.2: pairs of arcs with their ends on the curve, four pairs for each control point, as in
+// LinuxCNC.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace gsim::script::splines_test {
 namespace {
 
-constexpr double kNear_mm = 2e-3;  // of curves of a few mm: where a pair's arcs meet is off the curve
+constexpr double kNear_mm = 2e-3;  // for curves of a few mm: the joint of a pair's arcs is off the curve
 
 using Point = std::array<double, 2>;
 
@@ -22,7 +22,7 @@ std::vector<Point> ends_of(const Outcome& run) {
     return ends;
 }
 
-// Points of the way that is driven.
+// Returns points of the driven path.
 std::vector<Point> driven(const Outcome& run) {
     std::vector<Point> points;
     for (const motion::Segment& segment : run.segments) {
@@ -34,7 +34,7 @@ std::vector<Point> driven(const Outcome& run) {
     return points;
 }
 
-// Where a piece ends the next one goes on in the same direction.
+// At the end of each part the next one continues in the same direction.
 void expect_tangent_joints(const Outcome& run) {
     for (std::size_t i = 1; i < run.segments.size(); ++i) {
         const rrs::JointPos before = run.segments[i - 1].at(0.999 * run.segments[i - 1].duration_s).velocity;
@@ -94,7 +94,7 @@ TEST(Splines, AreTurnedWithTheSystem) {
     for (const Point& end : ends_of(r)) EXPECT_NEAR(-end[0], end[1] - end[1] * end[1] / 2, 1e-9);
 }
 
-// Control points that coincide, or lie on a line: nothing is left out, and no place is lost.
+// Control points that coincide, or lie on a line: no part is left out, and no position is lost.
 TEST(Splines, OddOnesLeadToTheirEnd) {
     for (const char* spline :
          {"G5 X3 Y0 I1 J0 P-1 Q0", "G5 X3 Y1 I0 J0 P0 Q0", "G5.1 X4 Y0 I2 J0", "G5 X1 Y0 I4 J0 P4 Q0",

@@ -58,7 +58,7 @@ TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
     expect_alarm(run_rs274("T(1.5)"), "whole number");
 }
 
-// Lengths can be taken as 0 where nobody has given any, a diameter cannot.
+// Missing lengths can be taken as 0, a missing diameter cannot.
 TEST(ToolsNgc, WithoutATableLengthsAreNoneAndSaidSo) {
     const Outcome r = run_rs274("T(1) M6() G43() G0{z=5}", {});
     expect_end(r, 0, 0, 5);
@@ -75,7 +75,7 @@ TEST(ToolsAb9, TheLengthIsAddedOrTakenAway) {
 }
 
 TEST(ToolsAb9, HAloneCallsAnotherOffset) {
-    expect_end(run_ab9("H(1) G0{z=5}"), 0, 0, 5);  // nothing is in force
+    expect_end(run_ab9("H(1) G0{z=5}"), 0, 0, 5);  // no offset is active
     expect_end(run_ab9("H(1) G43() G0{z=5}"), 0, 0, 15);
     expect_end(run_ab9("G43{h=1} H(2) G0{z=5}"), 0, 0, 30);
     expect_end(run_ab9("G44{h=1} H(2) G0{z=50}"), 0, 0, 25);

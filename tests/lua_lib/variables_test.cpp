@@ -7,7 +7,7 @@
 namespace gsim::script::variables_test {
 namespace {
 
-// The value of an expression, by way of a move: X goes to 500 + the value.
+// Returns the value of an expression, by a move: X moves to 500 + the value.
 double value_of(const std::string& expression) {
     const Outcome r = run("G0 X[500+" + expression + "]\nG91 G0 Y1\n");
     EXPECT_TRUE(r.completed()) << expression << ": " << r.message();

@@ -118,7 +118,7 @@ TEST(Violations, CallsAndWorkOffsetsAreNamed) {
     EXPECT_EQ(violation.calls[0].place.line, 3U);
 }
 
-// One entry for each time that the tool enters, how far it goes in.
+// The list has one entry for each time that the tool enters, with the depth of entry.
 TEST(Violations, EachEntryIntoAForbiddenZone) {
     const Outcome run = script::run("G1 X110 F6000\nG1 X140\nG1 X90\nG1 X300\nG1 X250\nM30\n",
                                     with_zone(machine::ZoneKind::enter_forbidden, 100, 200));

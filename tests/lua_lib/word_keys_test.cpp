@@ -1,4 +1,4 @@
-// The keys of words' tables: those that programs can write, and a sentence for any other.
+// Keys of words' tables: those that programs can write, and an error for any other.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ std::string keys_of(const grammar::Code& code) {
     return keys;
 }
 
-/// Plain motions and macro calls look at their keys by themselves; user codes take any.
+/// Plain motions and macro calls check their keys themselves; user codes take any.
 bool looks_by_itself(const grammar::Code& code) {
     const std::string name = grammar::lua_name(code);
     for (const char* own : {"G0", "G1", "G2", "G3", "G65", "G66", "G66_1"}) {

@@ -1,4 +1,4 @@
-// How long words take: [times] of the machine file.
+// Time of words: [times] of the machine file.
 
 #include "tests/lua_lib/ngc_run.h"
 
@@ -15,7 +15,7 @@ Conditions with_times(WordTimes times, const char* dialect = "rs274ngc") {
     return setup;
 }
 
-// What a word takes between two moves, s.
+// Returns the time of a word between two moves, in s.
 double taken_s(const std::string& word, const WordTimes& times, const char* dialect = "rs274ngc") {
     const std::string before = "G21 G1 X10 F6000\n", behind = "G1 X20\nM30\n";
     const Outcome timed = run(before + word + "\n" + behind, with_times(times, dialect));
@@ -62,7 +62,7 @@ TEST(WordTimes, ANumberGoesBeforeAName) {
     EXPECT_EQ(taken_s("M3 S100", {.spindle_start_s = 2, .codes_s = {{3, 0}}}), 0);
 }
 
-// A user code that nothing defines takes its time and does nothing else.
+// An undefined user code takes its time and has no other effect.
 TEST(WordTimes, OfUserCodes) {
     EXPECT_EQ(taken_s("M100", kTimes), 0.75);
     EXPECT_EQ(taken_s("M100 P1 Q2", kTimes), 0.75);
@@ -86,7 +86,7 @@ TEST(WordTimes, OfTheProcess) {
     EXPECT_EQ(run.events(), "laser_on laser_off digital_output laser_on laser_off flood_on");
 }
 
-// What recordings leave out that begin with the first move.
+// Recordings that begin with the first move leave these times out.
 TEST(WordTimes, MayCountFromTheFirstMoveOn) {
     const std::string program = "G21 T1 M6\nG1 X10 F6000\nT2 M6\nG1 X20\nM2\n";
     EXPECT_EQ(run(program, with_times({.tool_change_s = 8})).report.words_s, 16);

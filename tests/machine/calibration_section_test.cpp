@@ -1,4 +1,4 @@
-// How machine files tell how well their figures are known.
+// Statements in machine files about the uncertainty of their values.
 
 #include <string>
 

@@ -22,7 +22,7 @@ using rrs::PlannerKind;
 constexpr std::string_view kHead = "[machine]\nname = \"m\"\n[controller]\n";  // three lines
 constexpr std::string_view kAxis = "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";
 
-// A machine file whose [controller] holds `lines`, from line 4 on.
+// Returns a machine file with `lines` in its [controller], from line 4 on.
 std::string with_controller(std::string_view lines) {
     return fmt::format("{}{}\n{}", kHead, lines, kAxis);
 }
@@ -41,7 +41,7 @@ std::string file_error_of(std::string_view toml) {
     return rules ? "no error" : rules.error();
 }
 
-// A folder of its own, which goes when the test ends.
+// Folder of its own, removed at the end of the test.
 class OwnFile : public testing::Test {
   protected:
     OwnFile() : folder_(std::filesystem::path(testing::TempDir()) / "gsim_controller_file_test") {
@@ -75,8 +75,8 @@ TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
               wanted);
 }
 
-// Each key with a value of its own, none of them a default; but for the orientation, which needs more of a
-// machine, and for own_ramps, which needs another planner.
+// Each key has a value of its own, none of them a default. Exceptions are the orientation, which needs more
+// of a machine, and own_ramps, which needs another planner.
 TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     const std::string lines =
         "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"

@@ -1,4 +1,4 @@
-// What the controllers and machines in samples/ say, against the figures that they stand for.
+// Controllers and machines in samples/, compared with the values that they represent.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -251,8 +251,8 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
-// By default an extruder alone goes as fast as filament of its nozzle's greatest cross section lets the path
-// go.
+// By default an extruder alone moves as fast as filament of its nozzle's largest cross section lets the path
+// move.
 TEST(KlipperSamples, TheExtruderHasTheDefaultsOfItsNozzle) {
     for (const char* name : {"klipper-fast-ext.toml", "klipper-fast-ext-fw.toml"}) {
         const Machine machine = sample(name);

@@ -1,4 +1,4 @@
-// What machine files say of masses, friction and motors.
+// Masses, friction and motors in machine files.
 
 #include <string>
 
@@ -29,7 +29,7 @@ std::string error_of(const std::string& toml) {
     return machine ? "no error" : machine.error();
 }
 
-/// Of a machine with dynamics that ends so; the first of these lines is line 12.
+/// Returns a machine with dynamics that ends with `lines`; the first of these lines is line 12.
 std::string with(std::string_view lines) {
     return fmt::format("{}{}{}\n", kHead, kAxes, lines);
 }

@@ -70,7 +70,7 @@ TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
     EXPECT_TRUE(std::filesystem::exists(std::get<MeshShape>(machine->shapes[0].form).file));
 }
 
-// The file is not read here, so that it need not be a whole one.
+// The file is not read here, so it may be incomplete.
 TEST(LinkShapes, TheToleranceOfASolidIsKept) {
     const auto file = std::filesystem::path(testing::TempDir()) / "link_shapes_test.step";
     std::ofstream(file) << "ISO-10303-21;";

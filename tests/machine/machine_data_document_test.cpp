@@ -1,4 +1,4 @@
-// A document gives back the bytes it was read from, and a change touches its own line alone.
+// A document returns the bytes it was read from, and a change affects its own line alone.
 #include "machine/data/machine_data_document.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(text.find(from), from.size(), to);
 }
 
-// `change` turns this part of the file into that, and nothing else.
+// Expects that `change` turns this part of the file into that, and changes no other part.
 template <typename Change>
 void expect_change(const std::string& from, const std::string& to, Change change) {
     MachineDataDocument document = read(kFile);
@@ -220,7 +220,7 @@ TEST(MachineDataDocument, DataOfARunChangeTheirLinesAlone) {
     MachineDataDocument document = read(kFile);
     MachineData data = document.data();
     data.offsets["54"]['X'] = 201.5;
-    data.offsets["54"]['C'] = 0;  // as good as none
+    data.offsets["54"]['C'] = 0;  // equivalent to none
     data.offsets["505"]['Y'] = 25.4;
     data.offsets["59.3"] = {{'X', 0.1}, {'B', 0}, {'C', 30}};
     data.tools[1].length_wear_mm = -0.25;

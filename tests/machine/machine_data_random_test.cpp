@@ -1,5 +1,5 @@
-// Random data sets survive writing and reading; random changes leave the other lines as they are; nothing
-// that is done to a file makes half of it count.
+// Random data sets survive writing and reading; random changes leave the other lines as they are; no damage
+// to a file makes half of it count.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -29,7 +29,7 @@ class RandomData {
     }
     bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
 
-    // Of all sizes, some with many digits and some with few.
+    // Returns a number of any size, some with many digits and some with few.
     double number() {
         const double value =
             std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random_), whole(-40, 29));
@@ -178,7 +178,8 @@ TEST(MachineDataRandom, FilesComeBackByteForByte) {
     }
 }
 
-// From any data to any other; in inches too, where a number of mm may have no exact one of inches.
+// The update is from any data to any other; in inches too, although a number of mm may have no exact one of
+// inches.
 TEST(MachineDataRandom, AnUpdateHoldsTheNewData) {
     const std::vector<Axis> machine = axes();
     RandomData random(13);
@@ -256,8 +257,8 @@ std::string mangled(RandomData& random, std::string text) {
     return text;
 }
 
-// Either all of it is right, and it comes back as it is and means the same when written anew, or there is an
-// error with its place.
+// Either the complete file is right, comes back as it is and means the same if rewritten, or the error has a
+// source location.
 TEST(MachineDataRandom, MangledFilesAreReadWhollyOrNotAtAll) {
     const std::vector<Axis> machine = axes();
     RandomData random(15);

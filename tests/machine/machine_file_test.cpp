@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kHead = "[machine]\nname = \"m\"\n";  // two lines
 constexpr std::string_view kAxis =
-    "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";  // lines 3 to 6 behind the head
+    "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";  // lines 3 to 6 after the head
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
@@ -238,7 +238,7 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
               "m.toml:7:11: an axis that unwinds turns on without end; leave out 'min_deg' and 'max_deg'");
 }
 
-// Where both are given the frame stands before the motion, and the row behind it.
+// If both are given, the frame is before the motion, and the row after it.
 TEST(MachineFile, AFrameBesideARow) {
     const auto machine = read_machine(std::string(kHead) +
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\n"

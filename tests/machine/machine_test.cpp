@@ -30,8 +30,8 @@ TEST(Machine, FindsAxesByLetter) {
     EXPECT_EQ(machine.find('A'), std::nullopt);
 }
 
-// The letters' meaning as geometry: X Y Z move the tip along the world's axes, B turns the tool about the
-// vertical, C tilts it about the axis that B carries, and the tip stays where it is.
+// The letters as geometry: X Y Z move the TCP along the world's axes, and B turns the tool about the
+// vertical. C tilts it about the axis that B carries, and the TCP stays at its position.
 TEST(Machine, BuiltInMachineIsTransRzRy) {
     const auto kinematics = make_kinematics(af5());
     std::mt19937 random(20);
@@ -59,8 +59,8 @@ TEST(Machine, RouterMovesAlongTheWorldsAxes) {
     EXPECT_LT((pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
-// X Y Z carry the tip whatever the others do; A B C turn about it; U V W slide along what the rotary axes
-// carry.
+// X Y Z carry the TCP whatever the others do; A B C turn about it; U V W slide along the axes that the rotary
+// axes carry.
 TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
     const Machine machine = load_machine(tests::source_path("samples/machines/unlimited.toml")).value();
     std::string letters;
@@ -87,7 +87,7 @@ TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
     }
 }
 
-// B turns about Y and carries C, which turns about Z; both through the tip.
+// B turns about Y and carries C, which turns about Z; both pass through the TCP.
 TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
     std::mt19937 random(22);
     std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);

@@ -1,4 +1,4 @@
-// Whatever a file holds, reading it ends with a value or with a sentence that says where.
+// For any file content, reading ends with a value or with an error that has a position.
 #include <random>
 #include <string>
 

@@ -25,7 +25,7 @@ Machine sample(const std::string& name) {
     return load_machine(tests::source_path("samples/machines/") + name).value();
 }
 
-/// Joint values over all of the machine's ranges; two turns where there are none.
+/// Returns joint values over all of the machine's ranges, or two turns for joints without a range.
 rrs::JointPos random_joints(const Machine& machine, std::mt19937& random) {
     rrs::JointPos joints(static_cast<Eigen::Index>(machine.axes.size()));
     Eigen::Index joint = 0;
@@ -37,13 +37,13 @@ rrs::JointPos random_joints(const Machine& machine, std::mt19937& random) {
     return joints;
 }
 
-/// How many poses of each machine are tried: `fallback`, or what the environment says.
+/// Returns the number of poses tried for each machine: `fallback`, or the value in the environment.
 int pose_count(int fallback) {
     const char* text = std::getenv("GSIM_POSES");
     return text ? std::atoi(text) : fallback;
 }
 
-// FK(IK(pose)) and IK(FK(joints)); the pose from one place, sought from it and from another.
+// FK(IK(pose)) and IK(FK(joints)); the search for a pose starts from its own joints and from others.
 void expect_round_trips(const std::string& name, int count, double tolerance) {
     const Machine machine = sample(name);
     const auto kinematics = make_kinematics(machine);
@@ -105,7 +105,7 @@ void expect_pose(const rrs::CartPos& pose, const Vector3d& tip_mm, const Eigen::
     EXPECT_LT((pose.linear() - rotation).norm(), 1e-12);
 }
 
-// Letters as ISO 841 has them: values tell how the tool moves against the work, though the table moves.
+// The letters are those of ISO 841: values give the tool's motion against the work, though the table moves.
 TEST(SampleKinematics, MillWithATiltingAndTurningTable) {
     const Machine machine = sample("mill-table-table.toml");
     const auto kinematics = make_kinematics(machine);

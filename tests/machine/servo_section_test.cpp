@@ -1,4 +1,4 @@
-// What machine files say of servo loops.
+// Servo loops in machine files.
 
 #include <string>
 

@@ -62,7 +62,7 @@ TEST(TomlBounds, StringsAndRemarksDoNotCount) {
     for (const std::string& text : harmless) EXPECT_FALSE(base::find_toml_excess(text)) << text;
 }
 
-// What looks like the end of a string must be where the parser has it, or the rest would not be looked at.
+// The apparent end of a string must be where the parser has it, or the remainder would not be checked.
 TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
     const std::string deep = ", " + repeated("b.", 100) + "b = 1}\n";
     for (const std::string value :
@@ -74,8 +74,8 @@ TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
     }
 }
 
-// toml++ asks whether such letters are blanks: behind a backslash at the end of a line, and where no letter
-// may be.
+// toml++ checks if such letters are blanks: after a backslash at the end of a line, and where no letter may
+// be.
 TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
     for (const std::string letter : {"\u00e9", "\u03c9", "\u044d", "\u0499", "\u20ac", "\u4e2d"}) {
         const auto machine = read_machine("[machine]\nname = \"\"\"\\\n  " + letter +

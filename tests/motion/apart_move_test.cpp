@@ -1,4 +1,4 @@
-// Rapids that are not interpolated: each joint by its own limits, to a time of its own.
+// Rapids that are not interpolated: each joint by its own limits, with a time of its own.
 
 #include "motion/exact_stop/apart_move.h"
 
@@ -143,7 +143,7 @@ TEST(ApartMove, UnlimitedAccelerationsMakeSharpCorners) {
     EXPECT_NEAR(segment.position_at(0.7)[1], 40, 1e-12);
 }
 
-// The tip of G43.4 is led in feeds; in a rapid each joint goes to its target.
+// The TCP of G43.4 is controlled in feeds; in a rapid each joint moves to its target.
 TEST(ApartMove, ATipUnderControlIsNotLed) {
     ReadyRapids at(apart(gantry_setup()), joint_pos({500, 500, 300, 0, 0}));
     ASSERT_EQ(at.planner.SetTipControl(true, {0, 0, -50}), Status::RRS_SUCCESS);
@@ -167,7 +167,7 @@ TEST(ApartMove, OverridesOfRapidsSlowEachJoint) {
     EXPECT_EQ(at.last().limited_by.kind, LimitKind::rapid_override);
 }
 
-/// The least time of each joint by itself.
+/// Returns the min time of one joint alone.
 double own_time_s(const PlannerSetup& setup, int joint, double change) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
     const double jerk = setup.controller.limit_jerk ? limits.max_jerk : kUnlimited;
@@ -213,7 +213,8 @@ TEST(ApartMove, RandomOnesKeepAllLimitsAndEachJointTakesItsLeastTime) {
     }
 }
 
-// Each joint brakes by itself, and after ContinueMotion goes the rest of its way by itself, too.
+// Each joint brakes independently, and after ContinueMotion moves the remainder of its distance
+// independently, too.
 TEST(ApartMove, StopsAndGoesOnJointByJoint) {
     ReadyRapids at(apart_slides(), joint_pos({0, 0, 0}));
     at.to(joint_pos({100, 40, 10}));

@@ -35,7 +35,8 @@ class ArcLimits : public testing::Test {
         return setup;
     }
 
-    /// An arc or helix from rest to rest in a plane of its own, now and then with radii that disagree.
+    /// Returns an arc or helix from standstill to standstill in a plane of its own, now and then with radii
+    /// that disagree.
     std::vector<Segment> arc_move(const PlannerSetup& setup, Lie lie) {
         ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
         ready.planner.SetCartesianPositionSpeed(20 + 300 * std::abs(number()));
@@ -56,7 +57,7 @@ class ArcLimits : public testing::Test {
     std::mt19937 random{61};
 };
 
-/// By differences of the accelerations, within the pieces of the law.
+/// Checks jerks by differences of the accelerations, within the parts of the law.
 void expect_jerks(const Segment& segment, const PlannerSetup& setup) {
     double start_s = 0;
     for (const LawPiece& piece : segment.lead.pieces()) {
@@ -101,7 +102,7 @@ TEST_F(ArcLimits, JointsKeepTheirAccelerations) {
     }
 }
 
-/// Where all three parts are as great as they may be, on a circle: jerk / (1 + sqrt 2) for each.
+/// If all three parts are as large as permitted, on a circle: jerk / (1 + sqrt 2) for each.
 TEST_F(ArcLimits, SharesOfACircle) {
     PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, true);
     for (JointSetup& joint : setup.joints) joint.max_jerk = 1000;

@@ -112,7 +112,7 @@ TEST(Arc, BulgeOfAShortArcIsItsRiseAboveTheChord) {
     EXPECT_NEAR(arc.bulge_mm(), 50 * (1 - std::cos(sweep_rad / 2)), 1e-4);
 }
 
-// The way around is change / log(end / start) times the sweep, in long double here; the series goes over into
+// The path length is change / log(end / start) times the sweep, in long double here; the series passes into
 // the logarithm without a step.
 TEST(Arc, LengthOfASpiralByAHairIsExact) {
     for (double growth = 1e-13; growth < 0.1; growth *= 1.7) {

@@ -38,7 +38,7 @@ class BlendStop : public testing::TestWithParam<CornerRule> {
         std::vector<rrs::JointPos> targets;
         double tolerance_mm;
         double speed_mm_s;
-        bool arcs;  ///< Half a circle behind each third target, 6 mm along X.
+        bool arcs;  ///< Half a circle after each third target, 6 mm along X.
     };
     Program program() {
         Program program{{}, std::exp(2 * number(1) - 2), 10 + 90 * (1 + number(1)), chance(0.3)};

@@ -1,4 +1,4 @@
-// Corners that are rounded within a tolerance: how far, how fast, and that no limit is passed on the way.
+// Corners rounded within a tolerance: how far, how fast, and that no limit is exceeded on the path.
 #include "motion/lookahead/blend.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void expect_limits(const Segment& segment, const PlannerSetup& setup) {
                 << joint;
         }
     }
-    const double rounding = 1 + 1e-11 / segment.lead.length();  // of slopes, told by the ends
+    const double rounding = 1 + 1e-11 / segment.lead.length();  // of slopes, computed from the ends
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double limit = setup.joints[static_cast<std::size_t>(joint)].max_jerk;
         ASSERT_PRED2(keeps, jerks[joint], limit * rounding)
@@ -77,7 +77,7 @@ void expect_limits(const Segment& segment, const PlannerSetup& setup) {
     }
 }
 
-/// One motion without jumps of position and speed, and of the acceleration where jerks are limited.
+/// Expects one motion without jumps of position and speed, and of the acceleration if jerks are limited.
 void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
     JointState before;
     for (std::size_t i = 0; i < out.segments.size(); ++i) {
@@ -222,7 +222,7 @@ TEST_P(Blends, CornersWithAnArcAreExact) {
     EXPECT_GT(tangent.exit_speed(0), 40) << "nothing to round";
 }
 
-/// On random ways with arcs between the lines, of short lines and long ones, all limits hold.
+/// On random paths with arcs between the lines, of short lines and long ones, all limits hold.
 TEST_P(Blends, LimitsHoldOnRandomWays) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -251,8 +251,8 @@ TEST_P(Blends, LimitsHoldOnRandomWays) {
     EXPECT_GT(blends, 400);
 }
 
-/// However few blocks are known, rounding corners costs no time against stopping at them; little where sharp
-/// corners must be passed without jumps of the acceleration.
+/// However few blocks are known, rounding corners costs no time compared with stopping at them. It costs
+/// little if sharp corners must be passed without jumps of the acceleration.
 TEST_P(Blends, FewBlocksKnownAreNoTrap) {
     std::mt19937 random(32);
     const double allowed = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;

@@ -20,7 +20,7 @@ PlannerSetup turned_setup(const CartPos& base) {
     setup.kinematics = kinematics::GantryKinematics::make(
                            kinematics::DhChain(base * kinematics::gantry_base(), rows, CartPos::Identity()))
                            .value();
-    std::swap(setup.position_joints[0], setup.position_joints[1]);  // x and y of the axis space change places
+    std::swap(setup.position_joints[0], setup.position_joints[1]);  // x and y of the axis space are swapped
     for (JointSetup& joint : setup.joints) joint.min = -5000;
     return setup;
 }
@@ -37,7 +37,7 @@ class CartesianTarget : public AnyPlanner {
     Status to(const CartPos& pose, rrs::TargetParam param = rrs::TargetParam::end) {
         return planner.SetNextTarget(1, param, pose, rrs::JointPos(), "", 0);
     }
-    /// Makes what `queue` puts twice, so that its middle is met by a step of half its time.
+    /// Runs the targets that `queue` enqueues twice, so that a step of half their time meets the middle.
     template <typename Queue>
     void move(const Queue& queue) {
         ASSERT_EQ(queue(), Status::RRS_SUCCESS) << message(planner);

@@ -51,12 +51,12 @@ TEST_F(Tracking, ItSpeedsUpFollowsAndSlowsDown) {
     start_belt();
     const double ramp_s = kBelt_mm_s / kAcceleration_mm_s2;
     EXPECT_NEAR(planner.time_s(), ramp_s, 1e-12);
-    // In the belt's frame, which stood at 30 mm: it has travelled on, the robot has lagged behind.
+    // The frame of the belt was at 30 mm: the belt has moved on, and the robot has lagged.
     const double on_belt = 100 + kBelt_mm_s * ramp_s / 2 - (30 + kBelt_mm_s * ramp_s);
     EXPECT_NEAR(planner.position()[0], on_belt, 1e-9);
     ASSERT_EQ(go_to(joint_pos({on_belt + 60, 280, 50, 0, 0})), Status::RRS_SUCCESS);
     const double end_s = planner.time_s();
-    const double way_s = 100 / 150.0 + 150 / kAcceleration_mm_s2;  // 100 mm from rest to rest on the belt
+    const double way_s = 100 / 150.0 + 150 / kAcceleration_mm_s2;  // 100 mm between standstills on the belt
     EXPECT_NEAR(end_s - ramp_s, way_s, 1e-9);
     ASSERT_EQ(planner.SelectTracking(kConveyor, false), Status::RRS_SUCCESS);
     EXPECT_NEAR(planner.time_s(), end_s + ramp_s, 1e-9);
@@ -65,7 +65,7 @@ TEST_F(Tracking, ItSpeedsUpFollowsAndSlowsDown) {
     planner.flush();
     EXPECT_NEAR(at(end_s)[0], on_belt + 60 + 30 + kBelt_mm_s * end_s, 1e-9);
     EXPECT_NEAR(at(end_s)[1], 280, 1e-9);
-    const double half_s = ramp_s + way_s / 2;  // half of the way on the belt
+    const double half_s = ramp_s + way_s / 2;  // half of the path on the belt
     EXPECT_NEAR(at(half_s)[0], on_belt + 30 + 30 + kBelt_mm_s * half_s, 1e-9);
     EXPECT_NEAR(at(half_s)[1], 240, 1e-9);
 }

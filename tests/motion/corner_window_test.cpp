@@ -1,4 +1,4 @@
-// What many corners close together do to the joints: a polygon is driven as the curve that it stands for.
+// Effect of many corners close together on the joints: a polygon is driven as the curve that it represents.
 
 #include "motion/lookahead/corner_window.h"
 
@@ -63,7 +63,8 @@ double excess(const std::vector<rrs::JointPos>& velocities, std::size_t window) 
     return (most - kStep) / (kAcceleration * static_cast<double>(window) * 1e-4);
 }
 
-/// What the corners make beyond a step stays within their share of the acceleration; ramps may come on top.
+/// Expects that jumps by the corners, beyond a step, stay within their share of the acceleration; ramps may
+/// be added.
 void expect_bounded(const Path& path) {
     const double bound = 1 + path.setup().controller.centripetal_share;
     const auto all = velocities(path);

@@ -1,4 +1,4 @@
-// Events on the way: a time or a way from reaching a target.
+// Events on the path: a time or a distance from reaching a target.
 
 #include <map>
 
@@ -114,7 +114,7 @@ TEST_P(Events, WaitForAStop) {
     planner().DefineEvent(2, 1, 0);
     planner().SetInterpolationTime(0.5);
     ready_.step();           // at 45 mm
-    planner().StopMotion();  // it stands at 50 mm
+    planner().StopMotion();  // it stops at 50 mm
     EXPECT_TRUE(run().empty());
     planner().ContinueMotion();
     const auto times_s = run();
@@ -122,7 +122,7 @@ TEST_P(Events, WaitForAStop) {
     EXPECT_NEAR(times_s.at(2), 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
 }
 
-/// Controllers that hold targets back: the look-ahead's window, LinuxCNC's blends.
+/// Returns controllers with buffered targets: the look-ahead's window, LinuxCNC's blends.
 PlannerSetup holding_setup(rrs::PlannerKind kind) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
@@ -175,7 +175,7 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
         ADD_FAILURE() << "target " << id << " is not reached";
         return 0;
     }
-    /// When the tool was `way_mm` short of a target.
+    /// Returns when the tool was `way_mm` short of a target.
     double before_s(rrs::TargetId id, double way_mm) const {
         const std::vector<Segment>& segments = ready_.collector.segments;
         const auto reaches = [&](const Segment& s) { return s.target_id == id && s.reaches_target; };
@@ -224,7 +224,7 @@ TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
     EXPECT_GE(latest_s_, 0);
 }
 
-/// Targets come as there is room for them; an event leads its target by more than is planned.
+/// Targets come as the queue has space for them; an event precedes its target by more than is planned.
 TEST_P(HeldEvents, AStreamOfTargetsIsPlannedAsFarAsAnEventNeeds) {
     put(4);
     planner().DefineEvent(1, 4, -0.1);

@@ -1,4 +1,4 @@
-// How far a position loop lags behind, against a numerical integration of its equation.
+// Lag of a position loop, compared with a numerical integration of its equation.
 #include "motion/profile/following_error.h"
 
 #include "tests/motion/look_ahead_path.h"
@@ -45,7 +45,7 @@ TEST(FollowingError, AgreesWithAnIntegration) {
     }
 }
 
-/// Behind a long cruise and a ramp down at the deceleration a: a / gain^2 (1 - exp(-gain t)).
+/// After a long cruise and a ramp down at the deceleration a, the error is a / gain^2 (1 - exp(-gain t)).
 TEST(FollowingError, OfARampDown) {
     const double gain_1_s = 33.3;
     const TimeLaw law = TimeLaw::between(1000, 0, 0, {100, 500, 500});
@@ -75,7 +75,7 @@ TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
     EXPECT_EQ(path.out().segments[1].kind, SegmentKind::rest);
     EXPECT_TRUE(path.out().segments[1].reaches_target);
     EXPECT_NEAR(path.out().segments[1].duration_s, 0.125 + std::log(lag_mm / 0.01) / 20, 1e-9);
-    // What is left of the error is within the band, and the short way adds next to nothing.
+    // The remainder of the error is within the band, and the short path adds almost no time.
     EXPECT_NEAR(path.out().segments[3].duration_s, 0.125, 1e-9);
 }
 

@@ -14,7 +14,7 @@ namespace gsim::motion {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What TimeLaw::between() takes.
+/// Arguments of TimeLaw::between().
 struct LawCase {
     double length, start, end;
     LawLimits limits;
@@ -45,15 +45,15 @@ class LawCases {
 
     LawCase rest_to_rest() { return {log_uniform(1e-4, 1e4), 0, 0, limits()}; }
 
-    /// Speeds within max_speed, and a length that suffices, of at most kLongest_mm.
+    /// Returns speeds within max_speed, and a length that suffices, of at most kLongest_mm.
     LawCase moving() {
         LawCase c = any_moving();
         while (c.length > kLongest_mm) c = any_moving();
         return c;
     }
 
-    /// Too fast at the start, and a length of at most kLongest_mm that suffices to brake to the end in one
-    /// go.
+    /// Returns a start speed that is too high, and a length of at most kLongest_mm that suffices to brake to
+    /// the end in one step.
     LawCase too_fast() {
         LawCase c = any_too_fast();
         while (c.length > kLongest_mm) c = any_too_fast();

@@ -7,7 +7,7 @@
 
 namespace gsim::motion {
 
-// Times and lengths from first principles, in long double, and apart from the code under test.
+// Times and lengths from first principles, in long double, and independent of the code under test.
 using Real = long double;
 
 inline Real time_of(Real change, Real acceleration, Real jerk) {
@@ -28,7 +28,7 @@ inline Motion through(Real peak, const LawCase& c) {
     return {(peak + c.start) / 2 * up_s + (peak + c.end) / 2 * down_s, up_s + down_s};
 }
 
-/// Rest to rest below max_speed, solved for the time instead of the peak speed.
+/// Returns the time between standstills below max_speed, solved for the time instead of the peak speed.
 inline Real uncapped_time_s(Real length, Real low, Real high, Real jerk) {
     const Real slowness = 1 / low + 1 / high;
     if (std::isinf(jerk)) return std::sqrt(2 * length * slowness);

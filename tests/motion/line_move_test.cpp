@@ -48,7 +48,7 @@ TEST_F(LineMove, RapidTakesTheRapidLimitAndTheJointsAlone) {
     at.planner.SetCartesianPositionAcceleration(1);
     at.planner.SetRapid(true);
     EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, 1000 / 508.0 + 508 / acceleration);
-    // Along a diagonal each joint has only its share of the way: acceleration rises, speed is capped by the
+    // Along a diagonal each joint has only its share of the path: acceleration rises, speed is capped by the
     // path.
     at.planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
     const Segment& diagonal = go({1500, 1500, 300, 0, 0});
@@ -65,7 +65,7 @@ TEST_F(LineMove, RapidNeedsNoProgrammedSpeed) {
     EXPECT_EQ(fresh.to(joint_pos({600, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-// Expected: the ramps that each joint may make in its share of the way, the slowest of them for all.
+// Expected are the ramps that each joint may make in its share of the path, the slowest of them for all.
 TEST_F(LineMove, AllJointsGoInProportionByTheSlowestOfThem) {
     const Segment& slow = go({600, 500, 300, kPi, 0});
     EXPECT_TRUE(slow.followers().empty());
@@ -192,7 +192,7 @@ TEST_F(LineMove, SecondarySlideLeadsAloneAndFollowsBesideThePath) {
     EXPECT_DOUBLE_EQ(planner.last().length_mm, 10);
 }
 
-// A controller whose joints beside the path arrive with it by ramps of their own.
+// Controller with joints outside the path that arrive with it by ramps of their own.
 class OwnRamps : public LineMove {
   protected:
     OwnRamps() : LineMove(own_ramps()) {}

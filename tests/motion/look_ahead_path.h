@@ -22,7 +22,7 @@ inline PlannerSetup router_setup() {
     return setup;
 }
 
-/// Lines and arcs one behind the other, planned by a look-ahead.
+/// Consecutive lines and arcs, planned by a look-ahead.
 class Path {
   public:
     explicit Path(PlannerSetup setup)

@@ -12,7 +12,7 @@ namespace {
 using rrs::CornerRule;
 using rrs::PathMode;
 
-/// Ends where it should, without a jump of position or of speed.
+/// Expects the right end, without a jump of position or of speed.
 void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
     for (std::size_t i = 0; i < out.segments.size(); ++i) {
         const Segment& segment = out.segments[i];
@@ -35,12 +35,13 @@ void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
     EXPECT_EQ(out.segments.back().lead.end_speed(), 0);
 }
 
-/// With jerk limits: the acceleration along the way is 0 at the ends of blocks and changes within the jerk of
-/// the joints, and on a curve the part of the jerk that turns with the way, v^3 curvature^2, keeps it, too.
+/// Checks jerk limits: the acceleration along the path is 0 at the ends of blocks and changes within the jerk
+/// of the joints. On a curve the part of the jerk that turns with the path, v^3 curvature^2, keeps the limit,
+/// too.
 void expect_jerk_along_the_way(const Collected& out, const PlannerSetup& setup) {
     for (const Segment& segment : out.segments) {
         const bool curved = segment.kind == SegmentKind::circular;
-        double jerk = kUnlimited;  // of the way
+        double jerk = kUnlimited;  // of the path
         for (int joint = 0; joint < 3; ++joint) {
             const double share =
                 curved ? segment.arc.max_share(joint)
@@ -234,7 +235,7 @@ TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
     for (JointSetup& joint : setup.joints) joint.step = 0.25;
     Path path(setup);
     path.line(1.1, 0.3);
-    path.line(1.12, 0.3);  // less than a step: no way at all
+    path.line(1.12, 0.3);  // less than a step: no distance at all
     path.line(2.2, 0.3);
     path.rest();
     ASSERT_EQ(path.out().segments.size(), 2U);
@@ -340,7 +341,7 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
     }
 }
 
-/// Each block is planned once, not once for each that follows: this would take minutes.
+/// Each block is planned once, not once for each following block: this would take minutes.
 TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
     PlannerSetup setup = router_setup();
     setup.controller.look_ahead_blocks = 200'000;
@@ -350,8 +351,7 @@ TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
     EXPECT_NEAR(path.out().time_s(), trapezoid_s(0.6, 100, 1000), 1e-6) << "as one line";
 }
 
-/// A chord of a small arc may be nothing on the grid of the joints' steps; the one before it reaches the
-/// target.
+/// A chord of a small arc may vanish on the grid of the joints' steps; the one before it reaches the target.
 TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
     PlannerSetup setup = router_setup();
     setup.controller.arc_chord_tolerance_mm = 0.0002;

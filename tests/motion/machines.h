@@ -41,8 +41,8 @@ inline PlannerSetup three_slides() {
     return setup;
 }
 
-/// Seven joints, the position joints neither first nor in order, with random limits: Z W X C Y B V, where W
-/// and V are secondary slides.
+/// Returns seven joints, the position joints neither first nor in order, with random limits: Z W X C Y B V,
+/// with W and V as secondary slides.
 inline PlannerSetup odd_setup(std::mt19937& random) {
     using kinematics::DhLink;
     std::uniform_real_distribution<double> log_scale(-1.5, 1.5);

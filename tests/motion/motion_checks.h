@@ -7,7 +7,7 @@
 
 namespace gsim::motion {
 
-/// Deceleration apart from acceleration, and finite jerks, for each joint.
+/// Sets a deceleration other than the acceleration, and finite jerks, for each joint.
 inline void set_ramps(PlannerSetup& setup, std::mt19937& random, bool jerk) {
     std::uniform_real_distribution<double> log_scale(-1, 1);
     for (JointSetup& joint : setup.joints) {
@@ -17,8 +17,8 @@ inline void set_ramps(PlannerSetup& setup, std::mt19937& random, bool jerk) {
     setup.controller.limit_jerk = jerk;
 }
 
-/// A law keeps speed, acceleration, deceleration and jerk, and neither its speed nor, with a finite jerk, its
-/// acceleration jumps within it.
+/// Expects that a law keeps speed, acceleration, deceleration and jerk. Within the law its speed does not
+/// jump, nor, with a finite jerk, its acceleration.
 inline void expect_law_limits(const TimeLaw& law, const LawLimits& limits) {
     const double peak = law.peak_speed();
     ASSERT_LE(peak, limits.max_speed * (1 + kRelative));
@@ -41,7 +41,7 @@ inline void expect_law_limits(const TimeLaw& law, const LawLimits& limits) {
     }
 }
 
-/// What the machine allows along a segment's path, from its joints; apart from arcs.
+/// Returns the machine's limits along a segment's path, from its joints; not for arcs.
 inline LawLimits machine_limits(const Segment& segment, const PlannerSetup& setup) {
     LawLimits limits;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -64,7 +64,7 @@ inline void expect_segment_limits(const Segment& segment, const PlannerSetup& se
     if (segment.kind == SegmentKind::rest || !(segment.lead.length() > 1e-6)) return;
     LawLimits limits = machine_limits(segment, setup);
     for (double* limit : {&limits.max_speed, &limits.acceleration, &limits.deceleration, &limits.jerk})
-        *limit *= 1 + 1e-7 / segment.lead.length();  // rounding of the ends, by which shares are told
+        *limit *= 1 + 1e-7 / segment.lead.length();  // rounding of the ends that give the shares
     if (segment.kind != SegmentKind::circular) expect_law_limits(segment.lead, limits);
     for (const Follower& follower : segment.followers()) {
         const JointSetup& own = setup.joints[static_cast<std::size_t>(follower.joint)];
@@ -73,7 +73,7 @@ inline void expect_segment_limits(const Segment& segment, const PlannerSetup& se
     }
 }
 
-/// Segments follow on one another in time, place and speed along the path.
+/// Expects that consecutive segments join in time, position and speed along the path.
 inline void expect_joined(const std::vector<Segment>& segments) {
     for (std::size_t i = 1; i < segments.size(); ++i) {
         const Segment& before = segments[i - 1];

@@ -1,4 +1,4 @@
-// Whatever numbers come in, a planner answers, keeps a clock that is a number, and emits segments that are
+// For any input numbers, a planner answers, keeps a clock that is a number, and emits segments that are
 // finite.
 
 #include <array>
@@ -122,8 +122,8 @@ class FiniteSink : public SegmentSink {
     int overlapping = 0;
 };
 
-// Without a sink the queue is soon full; a step of a century makes room. Each session of another process
-// begins one.
+// Without a sink the queue is soon full; a step of a century frees it. Each session in another process starts
+// such a process.
 TEST_P(OddValues, StepsOfAPlannerStayNumbers) {
     const int sessions = GetParam().name == std::string_view("through_process") ? 150 : 1500;
     int reached = 0;

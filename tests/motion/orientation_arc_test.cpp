@@ -104,7 +104,7 @@ TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
                 ASSERT_LE(std::abs(state.second.*joint), bounds.second.*joint * (1 + 1e-9));
                 const double third = derivative(at, joint, &HeadState::second);
                 ASSERT_LE(std::abs(third), bounds.third.*joint * (1 + 1e-6) + 1e-6);
-                // Over 2 h a slope changes by its own derivatives: what a difference can miss.
+                // Over 2 h a slope changes by its own derivatives: the possible error of a difference.
                 ASSERT_NEAR(derivative(at, joint, &HeadState::angles), state.first.*joint,
                             h * h * bounds.third.*joint + 1e-6);
                 ASSERT_NEAR(derivative(at, joint, &HeadState::first), state.second.*joint,
@@ -118,7 +118,7 @@ TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
     }
 }
 
-// Clairaut: the turn is fastest where the circle comes nearest to the pole, by 1 / sin(tilt).
+// Clairaut: the turn is fastest if the circle is nearest to the pole, by 1 / sin(tilt).
 TEST_F(OrientationArcs, TurnsFastestNearThePole) {
     const auto way = arc({-1, 0.4}, {1, 0.4});
     ASSERT_TRUE(way);

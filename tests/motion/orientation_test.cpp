@@ -1,4 +1,4 @@
-// The great circle through the planners: direction, evenness, limits, and what they answer.
+// The great circle through the planners: direction, evenness, limits, and return values.
 
 #include "tests/motion/machines.h"
 #include "tests/motion/motion_checks.h"
@@ -24,7 +24,8 @@ Vector3d direction(const PlannerSetup& setup, const rrs::JointPos& joints) {
     return setup.kinematics->forward(joints).linear().col(2);
 }
 
-/// At dense instants the direction is as far along the great circle as the lead is along its way.
+/// Expects at dense instants that the direction is as far along the great circle as the lead is along its
+/// path.
 void expect_great_circle(const PlannerSetup& setup, const Segment& segment) {
     const Vector3d from = direction(setup, segment.start);
     const Vector3d to = direction(setup, segment.end);
@@ -40,7 +41,7 @@ void expect_great_circle(const PlannerSetup& setup, const Segment& segment) {
     }
 }
 
-/// Accelerations, and jerks as differences of these within the pieces of the lead.
+/// Checks accelerations, and jerks as differences of these within the parts of the lead.
 void expect_ramp_limits(const PlannerSetup& setup, const Segment& segment) {
     expect_joint_limits(segment, setup, 300);
     if (!setup.controller.limit_jerk) return;
@@ -174,7 +175,7 @@ TEST(Orientation, OrientationSpeedCountsAlongTheGreatCircle) {
         EXPECT_EQ(ready.to(to), Status::RRS_SUCCESS) << ready.message();
         return ready.last().duration_s;
     };
-    // On the equator the turning joint goes evenly: 1 rad, with the ramps of the tool's way of 200 mm.
+    // On the equator the turning joint moves evenly: 1 rad, with the ramps of the tool's path of 200 mm.
     const auto trapezoid = [](double speed_mm_s, double acceleration_mm_s2) {
         return trapezoid_s(200, speed_mm_s, acceleration_mm_s2);
     };

@@ -69,7 +69,7 @@ class Operated {
     }
     void set_obeyed(const ObeyedOverrides& obeyed) { planner_.set_obeyed(obeyed); }
     DefaultPlanner& planner() { return planner_; }
-    /// Ends the program; answers its time.
+    /// Ends the program and returns its time.
     double end() {
         planner_.flush();
         return planner_.time_s();
@@ -161,7 +161,7 @@ TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
     EXPECT_NEAR(run.end(), trapezoid_s(100, 7.5), 1e-9);
 }
 
-// Slowing down from 50 to 25 mm/s takes 0.025 s and 0.9375 mm.
+// The slowdown from 50 to 25 mm/s takes 0.025 s and 0.9375 mm.
 TEST_P(OverridesOf, AChangeActsOnTheMoveUnderWay) {
     Operated slower(setup(), {{1, {.feed = 0.5}}});
     slower.feed(100, 0, 50);
@@ -271,7 +271,7 @@ TEST_P(OverridesOf, NoChangeLeadsOffTheWayOrBeyondTheLimits) {
             if (segment.kind == SegmentKind::rest || segment.beside) continue;
             ASSERT_LE(segment.lead.peak_acceleration(), segment.lead_limits.acceleration * (1 + 1e-6) + 1e-6)
                 << seed;
-            // Along the way no speed jumps, whatever the corners do to the directions.
+            // Along the path the speed does not jump, whatever the corners do to the directions.
             ASSERT_NEAR(segment.lead.start_speed(), speed, 1e-3) << seed;
             speed = segment.lead.end_speed();
         }
@@ -327,7 +327,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
         for (const Segment& segment : run.segments()) {
             ASSERT_NEAR((segment.position_at(0) - at).norm(), 0, 1e-6) << seed;
             at = segment.end_position();
-            const double rounding = 1e-6 + 1e-9 / segment.lead.length();  // of the ends of a short way
+            const double rounding = 1e-6 + 1e-9 / segment.lead.length();  // of the ends of a short path
             for (int i = 0; i <= 20; ++i) {
                 const JointState state = segment.at(segment.duration_s * i / 20);
                 for (int joint = 0; joint < 3; ++joint) {
@@ -339,7 +339,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
     }
 }
 
-// The operator turns the overrides of an S-curve where it has no acceleration.
+// The operator changes the overrides of an S-curve at points without acceleration.
 TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
     for (const Planner planner : {Planner::rest, Planner::look_ahead}) {
         PlannerSetup setup = setup_of(planner);

@@ -19,7 +19,7 @@ std::vector<rrs::TargetId> ids(const std::vector<Segment>& segments) {
     return result;
 }
 
-// Lines, an arc, a joint move, moves to nowhere and rests.
+// Enqueues lines, an arc, a joint move, moves without length and dwells.
 void put_program(rrs::Shell& planner) {
     planner.SelectMotionType(rrs::MotionType::linear);
     planner.SetCartesianPositionSpeed(80);
@@ -35,8 +35,8 @@ void put_program(rrs::Shell& planner) {
     planner.SetNextRest(7, 0);
 }
 
-// What services alone tell of the queue. Where segments leave it for a sink, which is no service, the tests
-// are of the planner in process (PlannerQueue).
+// Queue as services alone show it. A sink for segments is no service, so those tests use the planner in
+// process (PlannerQueue).
 class QueueServices : public AnyPlanner {
   protected:
     static std::unique_ptr<rrs::Shell> ready(const PlannerSetup& setup) {
@@ -303,8 +303,8 @@ TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
     EXPECT_EQ(sink.taken, 1);
 }
 
-/// Dwells, joint motions and new starts of a controller that counts steps begin where the last line ended: on
-/// the grid of the steps, off the programmed position.
+/// Dwells, joint motions and new starts of a controller that counts steps begin at the end of the last line:
+/// on the grid of the steps, off the programmed position.
 TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;

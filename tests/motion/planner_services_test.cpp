@@ -86,7 +86,7 @@ TEST_P(PlannerServices, TargetOutOfRangeNamesJointValueAndLimitAndChangesNothing
     EXPECT_EQ(position(planner), kStart);
 }
 
-// In process alone: the services tell the sentence, not its numbers.
+// In process alone: the services return the message, not its numbers.
 TEST(PlannerErrors, NumbersOfARefusalStandBesideItsSentence) {
     ReadyPlanner at(gantry_setup(), kStart);
     at.to(joint_pos({500, 500, 650, 0, 0}));

@@ -15,8 +15,8 @@
 
 namespace gsim::motion {
 
-/// A way to have our planner behind the services: in this process, or through a controller module here or in
-/// a process of its own.
+/// Access to our planner through the services: in this process, or through a controller module here or in a
+/// process of its own.
 struct PlannerMaker {
     const char* name;
     std::unique_ptr<rrs::Shell> (*make)(const PlannerSetup& setup);
@@ -42,7 +42,7 @@ inline std::unique_ptr<rrs::Shell> make_through_process(const PlannerSetup& setu
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
 }
 
-/// A test of the services alone, for all ways.
+/// Test of the services alone, for all variants.
 class AnyPlanner : public testing::TestWithParam<PlannerMaker> {
   protected:
     static std::unique_ptr<rrs::Shell> make(const PlannerSetup& setup) { return GetParam().make(setup); }
@@ -59,15 +59,15 @@ inline std::string way_name(const testing::TestParamInfo<PlannerMaker>& info) {
     return info.param.name;
 }
 
-/// Where stepping to the end of the queue has led.
+/// Result of stepping to the end of the queue.
 struct Stepped {
     double time_s = 0;
-    double way_mm = 0;  ///< Of the tool, from step to step.
+    double way_mm = 0;  ///< Tool distance, from step to step.
     rrs::JointPos joints;
     rrs::CartPos pose = rrs::CartPos::Identity();
 };
 
-/// Steps of `step_s` until nothing is queued.
+/// Takes steps of `step_s` until the queue is empty.
 inline Stepped step_to_end(rrs::Shell& planner, double step_s) {
     planner.SetInterpolationTime(step_s);
     Stepped stepped;
@@ -82,7 +82,7 @@ inline Stepped step_to_end(rrs::Shell& planner, double step_s) {
     }
 }
 
-/// Where the planner stands when nothing is queued.
+/// Returns the planner's position with an empty queue.
 inline rrs::JointPos position(rrs::Shell& planner) {
     return step_to_end(planner, 1).joints;
 }
@@ -98,14 +98,14 @@ inline rrs::Status put(rrs::Shell& planner, const rrs::JointPos& joints, rrs::Ta
     return planner.SetNextTarget(id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
 }
 
-/// What a step of GetNextStep told.
+/// Result of a step of GetNextStep.
 struct Step {
     rrs::Status status;
     rrs::JointPos joints;
     double elapsed_s;
 };
 
-/// A planner behind the services that is ready for targets in joint values, with a clock of its own.
+/// Planner with its services, ready for targets in joint values, with a clock of its own.
 class ReadyShell {
   public:
     ReadyShell(std::unique_ptr<rrs::Shell> shell, const rrs::JointPos& start)
@@ -126,7 +126,8 @@ class ReadyShell {
         time_s += step.elapsed_s;
         return step;
     }
-    /// Steps until the robot stands; the number of steps in which it reached a target.
+    /// Takes steps until the robot is at standstill; returns the number of steps in which it reached a
+    /// target.
     int run_out(rrs::JointPos& at) {
         int reached = 0;
         for (int i = 0; i < 1'000'000; ++i) {
@@ -137,7 +138,7 @@ class ReadyShell {
         }
         throw std::runtime_error("it does not come to an end");
     }
-    /// The time of a move that is put alone.
+    /// Returns the time of a move that is enqueued alone.
     double time_to(const rrs::JointPos& joints) {
         const rrs::Status status = to(joints);
         if (status != rrs::Status::RRS_SUCCESS) throw std::runtime_error(message(planner));
@@ -146,7 +147,7 @@ class ReadyShell {
 
     rrs::Shell& planner;
     rrs::TargetId id = 0;
-    double time_s = 0;  ///< Of all steps.
+    double time_s = 0;  ///< Sum of all steps.
 
   private:
     std::unique_ptr<rrs::Shell> owner_;

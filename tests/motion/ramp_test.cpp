@@ -44,7 +44,7 @@ class Cases {
     std::mt19937 random_;
 };
 
-// The length of a ramp up in fine steps, from nothing but its acceleration over time: a trapezoid.
+// Returns the length of a ramp up in fine steps, from only its acceleration over time: a trapezoid.
 double integrated_length(double from, const RampPhases& ramp) {
     constexpr int kSteps = 200;
     double v = from;
@@ -171,7 +171,7 @@ TEST(Ramp, ReachableSpeedIsMonotoneInLengthAndStart) {
 TEST(Ramp, EndSpeedMayFallWithTheStart) {
     EXPECT_LT(ramp_end_speed(1, 0.2, kInfinity, 1), ramp_end_speed(1, 0, kInfinity, 1));
     EXPECT_GE(reachable_speed(1, 0.2, kInfinity, 1), reachable_speed(1, 0, kInfinity, 1));
-    // A start planned for rest and then raised: the ramp would not fit any more.
+    // A start that is planned from standstill and then raised: the ramp would not fit any more.
     EXPECT_GT(ramp_length(ramp_end_speed(1, 0, kInfinity, 1), 0.2, kInfinity, 1), 1);
     EXPECT_LE(ramp_length(reachable_speed(1, 0, kInfinity, 1), 0.2, kInfinity, 1), 1);
 }

@@ -18,7 +18,7 @@ using rrs::Status;
 
 constexpr int kMoves = 4000;
 
-// What a random case has programmed.
+// Values programmed in a random case.
 struct Programme {
     double speed, orientation_speed, acceleration, orientation_acceleration;
     bool rapid;
@@ -55,8 +55,8 @@ class RandomMoves : public testing::Test {
     std::mt19937 random{31};
 };
 
-// The time rules of linear motion, written down a second time. All joints in proportion: a trapezoid that
-// keeps the limits of each in its share of the way.
+// Returns the time of linear motion by its rules, written down a second time. All joints are in proportion: a
+// trapezoid that keeps the limits of each in its share of the path.
 double proportional_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
     double norm[3] = {0, 0, 0};
     for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
@@ -93,7 +93,7 @@ void expect_in_proportion(const Segment& segment) {
     }
 }
 
-// Ramps of their own: lead trapezoid and one trapezoid for each follower.
+// Returns the time with ramps of their own: lead trapezoid and one trapezoid for each follower.
 double line_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
     double norm[3] = {0, 0, 0};
     for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
@@ -125,7 +125,7 @@ double line_time_s(const PlannerSetup& setup, const Programme& p, const rrs::Joi
         }
         if (role == 2) turn_limit = std::min(turn_limit, limits.max_acceleration / share);
     }
-    // The programmed orientation speed as a rule of its own: the norm of the turn, with the acceleration that
+    // The programmed orientation speed is a rule of its own: the norm of the turn, with the acceleration that
     // joints leave.
     const double turn_s =
         lead == 2 || norm[2] == 0 || (std::isinf(turn_speed) && std::isinf(turn_acceleration))

@@ -1,5 +1,5 @@
-// Moves from rest to rest with S-curves, with other decelerations than accelerations, and with ramps that a
-// program selects.
+// Moves from standstill to standstill with S-curves, with other decelerations than accelerations, and with
+// ramps that a program selects.
 
 #include "tests/motion/law_reference.h"
 #include "tests/motion/motion_checks.h"

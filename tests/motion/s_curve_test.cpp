@@ -19,7 +19,7 @@ TimeLaw law_of(const LawCase& c) {
     return TimeLaw::between(c.length, c.start, c.end, c.limits);
 }
 
-// Each piece ends where the next begins.
+// Expects that each part ends at the start of the next.
 void expect_continuous(const TimeLaw& law, const LawCase& c) {
     LawState at{0, c.start, 0};
     const double fastest = law.peak_speed();
@@ -61,7 +61,7 @@ void expect_limits(const TimeLaw& law, const LawCase& c, double relative = kRela
     }
 }
 
-// Joins are only in laws whose speed does not jump.
+// Returns true if the speed of a law jumps; only the others have joins.
 bool jumps(const LawLimits& limits) {
     return std::isinf(limits.jerk) && (std::isinf(limits.acceleration) || std::isinf(limits.deceleration));
 }
@@ -148,7 +148,8 @@ TEST(SCurve, AHigherPeakWouldOvershoot) {
     }
 }
 
-// Not only laws with one peak: through two random speeds, with cruises at both, nothing is faster.
+// The test is not only for laws with one peak: no motion through two random speeds, with cruises at both, is
+// faster.
 TEST(SCurve, NoMotionOfThreeRampsIsFaster) {
     LawCases cases(46);
     for (int i = 0; i < 50'000; ++i) {
@@ -192,7 +193,7 @@ TEST(SCurve, PositionsAndSpeedsAreTheIntegralsOfTheJerk) {
         LawCase c = cases.moving();
         if (std::isinf(c.limits.jerk)) c.limits.jerk = 1e4;
         const TimeLaw law = law_of(c);
-        // The last bit of the jerks leaves a rest of acceleration, which grows over a long cruise.
+        // The last bit of the jerks leaves a small acceleration, which accumulates over a long cruise.
         const double rest = 4e-16 * law.peak_acceleration();
         const double tolerance_v = 1e-12 * law.peak_speed() + rest * law.duration_s();
         const double tolerance_s = 1e-9 + rest * law.duration_s() * law.duration_s();

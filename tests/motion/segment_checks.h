@@ -13,7 +13,7 @@ namespace gsim::motion {
 inline constexpr double kRelative = 1e-9;
 inline constexpr double kPath_mm = 1e-6;
 
-/// The least time rest to rest, from first principles.
+/// Returns the min time between standstills, from first principles.
 inline double trapezoid_s(double length, double speed, double acceleration) {
     if (length == 0) return 0;
     const bool reached = speed * speed / acceleration <= length;
@@ -26,8 +26,8 @@ inline bool on_arc(const Segment& segment, int joint) {
            std::find(carriers.begin(), carriers.end(), joint) != carriers.end();
 }
 
-/// Speeds and accelerations of all joints keep their limits, but for accelerations along an arc, where the
-/// planner limits only the part along the path.
+/// Expects that speeds and accelerations of all joints keep their limits. On an arc the planner limits only
+/// the part of the acceleration along the path.
 inline void expect_joint_limits(const Segment& segment, const PlannerSetup& setup, int samples = 60) {
     for (int i = 0; i <= samples; ++i) {
         const JointState state = segment.at(segment.duration_s * i / samples);
@@ -51,9 +51,9 @@ inline void expect_path_limits(const Segment& segment, double speed, double acce
     }
 }
 
-/// Starts and ends exactly and at rest, and positions, velocities and accelerations are derivatives of each
-/// other: over a small step a velocity that changes by less than a dt moves a joint by its mean within a
-/// dt^2.
+/// Expects an exact start and end at standstill, and that positions, velocities and accelerations are
+/// derivatives of each other. Over a small step a velocity that changes by less than a dt moves a joint by
+/// its mean within a dt^2.
 inline void expect_smooth(const Segment& segment) {
     const double dt = segment.duration_s / 400;
     ASSERT_EQ(segment.position_at(0), segment.start);

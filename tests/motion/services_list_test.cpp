@@ -1,4 +1,4 @@
-// What the planner answers, against the list of services.
+// Answers of the planner, compared with the list of services.
 
 #include <functional>
 #include <random>

@@ -1,4 +1,4 @@
-// To go on through corners takes no more time than to stop at them.
+// Passing through corners takes no more time than stopping at them.
 
 #include <numbers>
 #include <random>
@@ -23,7 +23,7 @@ PlannerSetup blending_setup(rrs::CornerRule corner, bool limit_jerk) {
     return setup;
 }
 
-/// Where a random program goes: lines of one size with corners of one kind, as CAM writes them.
+/// Returns the targets of a random program: lines of one size with corners of one kind, as CAM writes them.
 std::vector<rrs::JointPos> random_way(std::mt19937& random) {
     std::uniform_real_distribution<double> even(-1, 1);
     const double length_mm = std::pow(10.0, 1.5 * even(random));
@@ -64,7 +64,7 @@ TEST_P(Smoother, IsNotSlowerThanStopping) {
         const double blended_s = duration_s(setup, way, rrs::PathMode::continuous, speed_mm_s);
         const double exact_s = duration_s(setup, way, rrs::PathMode::exact_path, speed_mm_s);
         const double stopped_s = duration_s(setup, way, rrs::PathMode::exact_stop, speed_mm_s);
-        // An exact way has its price in jumps of speed, which a blend does without.
+        // An exact path costs jumps of speed, which a blend avoids.
         EXPECT_LE(blended_s, exact_s * 1.1) << i;
         EXPECT_LE(blended_s, stopped_s * (1 + 1e-9)) << i;
         EXPECT_LE(exact_s, stopped_s * (1 + 1e-9)) << i;

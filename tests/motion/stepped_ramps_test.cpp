@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep_s = 0.01;
 
-/// A block by mm and s, from rest to rest unless it says otherwise.
+/// Block in mm and s, from standstill to standstill by default.
 struct Asked {
     double length_mm = 50;
     double speed_mm_s = 100;
@@ -63,14 +63,14 @@ Driven drive(const Asked& asked) {
 }
 
 TEST(SteppedRamps, MeanAccelerationIsThatOfAnSCurveFromRest) {
-    // From rest to v in v/a + a/J where that reaches a, else in 2 sqrt(v/J).
+    // Standstill to v takes v/a + a/J if that reaches a, else 2 sqrt(v/J).
     EXPECT_NEAR(SteppedRamps::mean_acceleration_s(100, 1000, 10'000), 100 / (0.1 + 0.1), 1e-3);
     EXPECT_NEAR(SteppedRamps::mean_acceleration_s(500, 1000, 10'000), 500 / (0.5 + 0.1), 1e-3);
     EXPECT_NEAR(SteppedRamps::mean_acceleration_s(50, 1000, 10'000), 50 / (2 * std::sqrt(50 / 10'000.0)),
                 1e-3);
 }
 
-// Lines from rest to rest as grblHAL was measured, most of them crawling at their end.
+// Lines from standstill to standstill as grblHAL was measured, most of them crawling at their end.
 TEST(SteppedRamps, TakeTheTimesOfGrblHal) {
     EXPECT_NEAR(drive({.length_mm = 50}).time_s, 7.069, 0.002);
     EXPECT_NEAR(drive({.length_mm = 10}).time_s, 0.2493, 0.0002);
@@ -86,7 +86,7 @@ TEST(SteppedRamps, TellHowLongTheyCrawl) {
     EXPECT_EQ(drive({.length_mm = 10}).crawled_s, 0);
 }
 
-// With steps that are short beside the ramps and a jerk that is none they are trapezoids.
+// With steps that are short compared with the ramps, and without a jerk limit, they are trapezoids.
 TEST(SteppedRamps, OfFineStepsAndGreatJerksAreTrapezoids) {
     SteppedRamps ramps(1e-4);
     const Driven driven = drive(block_of({.length_mm = 50, .jerk_mm_s3 = 1e9}), ramps);
@@ -102,7 +102,7 @@ TEST(SteppedRamps, GoTheirWayAndNeverBackNorFasterThanPlanned) {
         SCOPED_TRACE(i);
         Asked asked{number(0.01, 500), number(1, 300), number(50, 5000), number(500, 200'000)};
         SteppedBlock block = block_of(asked);
-        // What the planner allows: what it can brake from and to with the mean acceleration.
+        // The planner's limit: the speed that it can brake from and to with the mean acceleration.
         const auto most = [&] {
             return std::min(block.speed_mm_min,
                             std::sqrt(2 * block.mean_acceleration_mm_min2 * block.length_mm) * 0.5F);
@@ -120,7 +120,7 @@ TEST(SteppedRamps, GoTheirWayAndNeverBackNorFasterThanPlanned) {
     }
 }
 
-// Lengths in which a step of time is lost with 32 bits, speeds that are none, and blocks entered too fast.
+// Lengths for which a step of time is lost with 32 bits, unrealistic speeds, and blocks entered too fast.
 TEST(SteppedRamps, EndWhateverTheNumbers) {
     for (const double length_mm : {1e-6, 1.0, 1e6}) {
         for (const double speed_mm_s : {1e-3, 1.0, 1e4}) {

@@ -31,7 +31,7 @@ Step step(DefaultPlanner& planner) {
     return step;
 }
 
-/// Steps until the robot stands; the number of targets that it reached.
+/// Takes steps until the robot is at standstill; returns the number of targets that it reached.
 int run_out(DefaultPlanner& planner, rrs::JointPos& at) {
     int reached = 0;
     for (int i = 0; i < 1'000'000; ++i) {
@@ -133,7 +133,7 @@ TEST_P(StopServices, OnAnArcItStaysOnTheArc) {
     }
 }
 
-/// One of many random motions is stopped at a random instant, goes on, and is stopped again.
+/// Stops one of many random motions at a random instant, continues it, and stops it again.
 void stop_and_go(std::mt19937& random, const PlannerSetup& setup, bool joint_motion) {
     const int joints = setup.joint_count();
     ReadyPlanner ready(setup, rrs::JointPos::Zero(joints));
@@ -215,7 +215,8 @@ TEST(Stop, OnAnArcNoWayIsLost) {
     }
 }
 
-/// A rotary joint that takes longer to stop than the tool goes on by itself, and the tool stays on its arc.
+/// A rotary joint that takes longer to stop than the tool continues independently, and the tool stays on its
+/// arc.
 TEST(Stop, ATurningJointBesideAnArc) {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -248,7 +249,7 @@ TEST(Stop, ATurningJointBesideAnArc) {
         ready.planner.flush();
         ASSERT_NO_FATAL_FAILURE(expect_joined(ready.collector.segments)) << "run " << run;
         for (const Segment& segment : ready.collector.segments) {
-            for (int i = 0; i <= 8; ++i) {  // it moves at the speed that it tells, and not back
+            for (int i = 0; i <= 8; ++i) {  // it moves at the reported speed, and not back
                 const JointState state = segment.at(segment.duration_s * i / 8);
                 const double speed = segment.lead.at(segment.duration_s * i / 8).v;
                 ASSERT_NEAR(state.velocity.head<3>().norm(), speed, 1e-6 * (1 + speed)) << "run " << run;

@@ -11,7 +11,7 @@
 
 namespace gsim::motion {
 
-/// What a step of GetNextStep told.
+/// Result of a step of GetNextStep.
 struct TakenStep {
     rrs::Status status;
     rrs::JointPos joints;
@@ -25,7 +25,7 @@ inline TakenStep take_step(DefaultPlanner& planner) {
     return step;
 }
 
-/// Steps until the robot stands; where.
+/// Steps until standstill; returns the position.
 inline rrs::JointPos run_to_rest(DefaultPlanner& planner) {
     for (int i = 0; i < 1'000'000; ++i) {
         const TakenStep now = take_step(planner);
@@ -34,7 +34,7 @@ inline rrs::JointPos run_to_rest(DefaultPlanner& planner) {
     throw std::runtime_error("it does not come to an end");
 }
 
-/// A plan as a way to keep to.
+/// Plan as a path that a motion must keep.
 class Way {
   public:
     explicit Way(const std::vector<Segment>& plan)
@@ -58,7 +58,7 @@ class Way {
     }
     const rrs::JointPos& greatest_acceleration() const { return greatest_acceleration_; }
 
-    /// How far off the way a point is. Looks closely at the segments that can come nearest.
+    /// Returns the distance of a point from the path. It checks the segments closely that can be nearest.
     double distance_to(const rrs::JointPos& point) const {
         double least = kUnlimited;
         for (const Sample& sample : nearest_samples(point)) {
@@ -74,10 +74,10 @@ class Way {
         const Segment* segment;
         int number;
         double distance;
-        double least_distance;  ///< Of the segment.
+        double least_distance;  ///< Min of the segment.
     };
 
-    /// Of each segment, in the order of their least distances.
+    /// Returns a sample of each segment, in the order of their min distances.
     std::vector<Sample> nearest_samples(const rrs::JointPos& point) const {
         std::vector<Sample> samples;
         for (std::size_t i = 0; i < plan_.size(); ++i) {
@@ -149,8 +149,8 @@ inline double greatest_speed_step(const std::vector<Segment>& segments) {
     return greatest;
 }
 
-/// A motion that was stopped on the way keeps to the way of the plan; its speeds jump no more, and its
-/// accelerations are no greater, than those of the plan or the limits of the machine.
+/// Expects that a motion that was stopped on the path keeps to the path of the plan. Its speeds jump no more,
+/// and its accelerations are no larger, than those of the plan or the limits of the machine.
 inline void expect_planned_way(const std::vector<Segment>& segments, const std::vector<Segment>& plan,
                                const PlannerSetup& setup) {
     constexpr double kOffWay = 3e-6;  // mm or rad

@@ -1,4 +1,4 @@
-// The bound along curves, where the joints' tangential and centripetal acceleration share one limit.
+// Bound along curves with one limit for the joints' tangential and centripetal acceleration.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 
 using namespace bound_paths;
 
-// Numerical TOPP on a fine grid by another way than the bound's: constant acceleration from node to node, the
-// limits kept at both nodes; highest controllable speeds backward by bisection, then forward.
+// Numerical TOPP on a fine grid by another method than the bound's: constant acceleration from node to node,
+// the limits kept at both nodes; highest controllable speeds backward by bisection, then forward.
 class Reference {
   public:
     Reference(const Shape& shape, int steps) : shape_(shape), h_(shape.length / steps) {
@@ -103,7 +103,7 @@ TEST(TimeBoundCurve, ArcUnderLimitsOfItsPathAloneHasAClosedForm) {
     }
 }
 
-// However the path is measured, one joint that never turns back has its own trapezoid to go.
+// However the path is measured, one joint that never reverses has its own trapezoid.
 TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
@@ -124,8 +124,9 @@ TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
     }
 }
 
-// The path speeds up to 10 at 1 and slows down at 10. On its way down a joint with hardly any acceleration
-// goes at its own constant speed of 1, which it can only because the path slows down; mirrored, speeds up.
+// The path speeds up to 10 at 1 and slows down at 10. During the slowdown a joint with hardly any
+// acceleration moves at its own constant speed of 1. That is only possible because the path slows down;
+// mirrored, speeds up.
 TEST(TimeBoundCurve, AJointMayNeedThePathToChangeItsSpeed) {
     for (const bool mirrored : {false, true}) {
         const PathCaps caps{kNoBound, mirrored ? 10.0 : 1.0, mirrored ? 1.0 : 10.0};

@@ -23,7 +23,7 @@ inline rrs::JointPos joints(std::initializer_list<double> values) {
     return q;
 }
 
-/// Rest to rest, from first principles.
+/// Returns the time between standstills, from first principles.
 inline double trapezoid_s(double length, const PathCaps& caps) {
     const double slowness = 1 / caps.max_acceleration + 1 / caps.max_deceleration;
     if (caps.max_speed * caps.max_speed * slowness / 2 > length) return std::sqrt(2 * length * slowness);

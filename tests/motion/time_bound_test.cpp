@@ -60,8 +60,8 @@ TEST(TimeBound, ALongPathThroughTheWindowTakesTheTimeOfTheWhole) {
     EXPECT_NEAR(bound_of(parts), trapezoid_s(3000, caps), 1e-9);
 }
 
-// The least time over one line between two speeds, with the peak found by bisection; infinite if there is
-// none.
+// Returns the min time over one line between two speeds, with the peak found by bisection; infinite if no
+// time exists.
 double between_s(const Line& line, double v0, double v1) {
     const auto [limit, up, down] = line.caps;
     const auto ramps = [&, up = up, down = down](double v) {

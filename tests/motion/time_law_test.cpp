@@ -123,7 +123,7 @@ TEST(TimeLaw, BrakesFirstWhereTheStartIsTooFast) {
 }
 
 TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
-    // Up by jerk and past the peak at 2 s, then constant speed; the piece without duration is not in it.
+    // Up by jerk and past the peak at 2 s, then constant speed; the part without duration is omitted.
     const LawPiece pieces[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
     const TimeLaw law = TimeLaw::of_pieces(pieces);
     EXPECT_EQ(law.pieces().size(), 2U);

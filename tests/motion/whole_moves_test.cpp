@@ -1,5 +1,5 @@
-// A move is a value: what a planner makes of it depends on nothing that was put, selected or set before, but
-// on where the robot stands.
+// A move is a value: the planner's result does not depend on earlier targets, selections or settings, but on
+// the robot's position.
 #include <random>
 #include <vector>
 
@@ -50,7 +50,7 @@ class WholeMoves : public testing::Test {
         return move;
     }
 
-    /// Modes of services, and targets put by them.
+    /// Uses modes of services, and targets that they enqueue.
     void use_services(PlannerShell& shell) {
         shell.SetCartesianPositionSpeed(number(1, 300));
         shell.SetRapid(chance());
@@ -93,7 +93,7 @@ TEST_F(WholeMoves, AreMadeAlikeWhateverCameBefore) {
     }
 }
 
-// Each side keeps what it has selected: the program's move in between changes nothing for the client.
+// Each side keeps its selections: the program's move in between changes none of the client's.
 TEST_F(WholeMoves, LeaveTheModesOfServices) {
     const rrs::JointPos near = joint_pos({500, 500, 300, 0, 0});
     const rrs::JointPos far = joint_pos({900, 500, 300, 0, 0});

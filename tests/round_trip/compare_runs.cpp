@@ -26,7 +26,7 @@ bool is_arc(const MadeMove& move) {
     return move.kind.starts_with("arc");
 }
 
-// The way a move is told: all straight feed moves are one.
+// Returns the kind of a move in messages: all straight feed moves are one.
 std::string way_of(const MadeMove& move) {
     return is_arc(move) || move.kind == "rapid" || move.kind == "dwell" || move.kind == "thread" ? move.kind
                                                                                                  : "linear";
@@ -52,7 +52,7 @@ double center_distance(const MadeMove& a, const MadeMove& b) {
     return greatest;
 }
 
-// Whether `piece` is a part of the arc that it does not end.
+// Returns true if `piece` is a part of the arc that it does not end.
 bool is_piece(const MadeMove& arc, const MadeMove& piece) {
     if (!is_arc(arc)) return false;
     if (piece.kind == "linear") return std::abs(radius_at(arc, piece) - radius_at(arc, arc)) < kOnArc_mm;
@@ -105,9 +105,9 @@ std::vector<MadeEvent> events_of(const RunRecord& run, const std::set<std::strin
     return events;
 }
 
-// A control that stops the spindle to change the tool (M6 of LinuxCNC) stops one that turns; what is written
-// for it sets it going again. Where the second run stops it at a change that the first makes with it on, the
-// first is told as if it did both, so that each is asked for.
+// A controller that stops the spindle to change the tool (M6 of LinuxCNC) stops a turning one; the program
+// written for it starts the spindle again. If the second run stops it at a change that the first makes with
+// it on, both events are added to the first. Each is therefore required.
 std::vector<MadeEvent> with_stops_at_changes(const std::vector<MadeEvent>& first,
                                              const std::vector<MadeEvent>& second) {
     std::vector<MadeEvent> events;
@@ -128,7 +128,7 @@ std::vector<MadeEvent> with_stops_at_changes(const std::vector<MadeEvent>& first
     return events;
 }
 
-// A dwell of no time is how a program says that the machine comes to rest.
+// A dwell of no time is a program's mark for a standstill.
 std::vector<MadeMove> moves_of(const RunRecord& run) {
     std::vector<MadeMove> moves;
     for (const MadeMove& move : run.moves) {
@@ -145,12 +145,12 @@ bool is_same_time(double a_s, double b_s) {
 
 std::string compare_positions(const RunRecord& first, const RunRecord& second) {
     const std::vector<MadeMove> wanted_moves = moves_of(first), found_moves = moves_of(second);
-    const MadeMove* at = nullptr;  // where the second run is
+    const MadeMove* at = nullptr;  // position of the second run
     std::size_t j = 0;
     for (std::size_t i = 0; i < wanted_moves.size(); ++i) {
         const MadeMove& wanted = wanted_moves[i];
         std::size_t found = j;
-        // The pieces of an arc, up to the one that ends where it ends.
+        // These are the parts of an arc, up to the one that ends at its end.
         while (found < found_moves.size() && is_piece(wanted, found_moves[found]) &&
                (distance(wanted, found_moves[found]) > kSamePlace)) {
             ++found;
@@ -160,7 +160,7 @@ std::string compare_positions(const RunRecord& first, const RunRecord& second) {
         const bool same_way = ends_there && (way_of(wanted) == way_of(found_moves[found]) ||
                                              is_piece(wanted, found_moves[found]));
         if (same_way) {
-            // Further turns end where the first one does.
+            // Further turns end at the end of the first one.
             for (int turn = 1; turn < wanted.turns && found + 1 < found_moves.size(); ++turn) {
                 const MadeMove& next = found_moves[found + 1];
                 if (!is_arc(next) || !is_piece(wanted, next) || distance(wanted, next) > kSamePlace) break;

@@ -7,8 +7,8 @@
 
 namespace gsim::round_trip {
 
-/// Why the second of two runs is not what the first was: empty where it is. Positions may be 1e-3 mm or deg
-/// apart, times 0.1 % or 2 ms.
+/// Reasons why the second of two runs differs from the first: empty if it does not. Positions may differ by
+/// 1e-3 mm or deg, times by 0.1 % or 2 ms.
 struct Differences {
     std::string positions, times, events;
 

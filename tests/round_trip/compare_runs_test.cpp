@@ -1,4 +1,4 @@
-// What two runs may differ in, and what not.
+// Permitted differences of two runs, and others.
 #include "tests/round_trip/compare_runs.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(CompareRuns, OverridesAreOneSwitchOrTwo) {
     EXPECT_NE(compare_events(switches({"overrides_off"}), two, {}), "");
 }
 
-// LinuxCNC's M6 stops the spindle: nothing but its stop and its start, both, may be there beside the change.
+// LinuxCNC's M6 stops the spindle: only its stop and its start, both, may be added to the change.
 TEST(CompareRuns, AChangeOfTheToolMayStopTheSpindleThatGoesOnBehindIt) {
     const RunRecord on = switches({"spindle_ccw", "tool_change", "flood_on"});
     EXPECT_EQ(compare_events(on, switches({"spindle_ccw", "tool_change", "flood_on"}), {}), "");

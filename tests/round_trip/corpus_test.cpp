@@ -30,7 +30,7 @@ std::vector<fs::path> programs(const fs::path& folder) {
     return found;
 }
 
-/// A file that does not come back as it was, and why not (docs/round-trip.md).
+/// File that does not come back as it was, and the reason (docs/round-trip.md).
 struct Exception {
     std::string_view post, file;
 };

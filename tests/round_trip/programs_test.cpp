@@ -29,7 +29,7 @@ class RoundTrip : public apps::Apps {
     std::string file(const std::string& name, const std::string& text) const {
         return (folder_ / write(name, text)).string();
     }
-    // Written for the control or refused by name; where it is written, it is the same.
+    // Expects the same program, or a named error; returns true if it is written for the controller.
     bool expect_same(const WayRound& round, const Way& way,
                      const std::vector<std::string>& options = {}) const {
         const Outcome outcome = round.end(way, options);
@@ -80,7 +80,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
     EXPECT_GT(written, static_cast<int>(5 * programs(12) / 3));
 }
 
-// Modes, feeds, speeds, switches, tools, offsets and subprograms, in each way to write offsets.
+// Modes, feeds, speeds, switches, tools, offsets and subprograms, with each method to write offsets.
 TEST_F(RoundTrip, RandomModes) {
     int written = 0;
     for (unsigned seed = 1; seed <= programs(10); ++seed) {

@@ -48,7 +48,7 @@ class RandomModes {
         return fmt::format("{}G1 X{:.3f} Y{:.3f}", mode, x, y);
     }
     std::string per_minute() { return fmt::format("G94 F{:.1f}\n", number(100, 3000)); }
-    // A half circle to the right and one back, in steps from where the tool is.
+    // Returns a half circle to the right and one back, in increments from the tool's position.
     std::string arc(const std::string& feed) {
         const double radius = number(2, 20);
         const unsigned long sense = 2 + random_() % 2;

@@ -24,7 +24,7 @@ struct MadeEvent {
     std::string kind, detail;
 };
 
-/// What a run did, from its moves and its report.
+/// Record of a run, from its moves and its report.
 struct RunRecord {
     std::vector<MadeMove> moves;
     std::vector<MadeEvent> events;

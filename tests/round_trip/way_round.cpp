@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kExactStop = "exact-stop";
 
-// Offsets that are not 0, so that a program which forgets them goes elsewhere.
+// Offsets are not 0, so that a program which forgets them moves elsewhere.
 std::string machine_data() {
     std::string text = "NCFILE\nOFFSET\n";
     int x = 200;

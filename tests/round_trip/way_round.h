@@ -10,7 +10,7 @@
 
 namespace gsim::round_trip {
 
-/// A way to write programs, and the dialect that reads them.
+/// Post for writing programs, and the dialect that reads them.
 struct Way {
     std::string post, dialect, controller;  ///< controller: model that a machine file names.
 };
@@ -19,7 +19,7 @@ struct Way {
 inline const std::vector<Way> kWays{
     {"rs274ngc", "rs274ngc", "linuxcnc-2.9"}, {"ab9", "ab9", "ab9"}, {"grbl", "rs274ngc", "grbl-1.1"}};
 
-/// How the way round ended.
+/// End of the round trip.
 enum class Ending {
     same,          ///< The second program does what the first did.
     differs,       ///< It does not.
@@ -32,21 +32,22 @@ enum class Ending {
 struct Outcome {
     Ending ending = Ending::same;
     Differences differences;
-    std::string message;    ///< Of what refused.
+    std::string message;    ///< Message of the error.
     bool by_lines = false;  ///< Arcs outside the planes are lines: times are not compared.
 };
 
-/// A program that is run, recorded, written and run again, in a folder of its own.
+/// Program that is run, recorded, written and run again, in a folder of its own.
 class WayRound {
   public:
     /// Axes of the machine, of X Y Z A B C. `folder` is for files in between.
     WayRound(std::filesystem::path folder, std::string axes);
 
-    /// Runs the program in a dialect and records it; whether it runs. A path of none is a run of no path.
+    /// Runs the program in a dialect and records it; returns true if it runs. A run that leaves no path
+    /// counts as one, too.
     bool begin(const std::filesystem::path& program, const std::string& dialect);
-    /// Records it on the control of the way, writes it, with these options, and runs it again.
+    /// Records it on the controller of `way`, writes it, with these options, and runs it again.
     Outcome end(const Way& way, const std::vector<std::string>& options = {}) const;
-    /// What the first run said.
+    /// Returns the first run's output.
     const std::string& message() const { return message_; }
     std::string written() const;
 

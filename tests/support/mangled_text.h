@@ -8,7 +8,7 @@
 
 namespace gsim::test {
 
-/// A whole number from 0 to end - 1.
+/// Returns an integer from 0 to end - 1.
 inline std::size_t below(std::mt19937& random, std::size_t end) {
     return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
 }
@@ -29,7 +29,7 @@ inline std::string mangled(std::mt19937& random, std::string text) {
     return text;
 }
 
-/// Whether an error is "file:line:column: sentence" in one line, of a file with the name "f".
+/// Returns true if an error is "file:line:column: sentence" in one line, of a file with the name "f".
 inline bool is_located(std::string_view error) {
     std::size_t at = 2;
     if (error.substr(0, at) != "f:") return false;

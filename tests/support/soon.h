@@ -5,8 +5,8 @@
 
 namespace gsim::tests {
 
-/// Whether `holds()` is true within a minute, asked each 5 ms: for what other processes and threads do, which
-/// takes its time on a slow machine. Only a test that fails waits so long.
+/// Returns true if `holds()` is true within a minute, checked each 5 ms. It is for results of other processes
+/// and threads, which take their time on a slow machine. Only a test that fails waits so long.
 template <typename Condition>
 bool soon(const Condition& holds) {
     constexpr std::chrono::seconds kPatience{60};

@@ -1,4 +1,4 @@
-// Machines whose tip is off the axes that turn it: the tip keeps to its lines and arcs while it turns.
+// Machines with a TCP off the axes that turn it: the TCP keeps to its lines and arcs while it turns.
 #include "toolpath/rotary/axis_moves.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ struct Moved {
         }
         return machine::make_kinematics(machine)->forward(joints).translation();
     }
-    /// Where the tip is in the middle of linear move `n`.
+    /// Returns the TCP in the middle of linear move `n`.
     Vector3d middle(std::size_t n) const { return tip((log.moves[n - 1].axes + log.moves[n].axes) / 2); }
     /// The time that the feeds of the moves from `n` on make, min.
     double minutes_from(std::size_t n) const {
@@ -118,8 +118,8 @@ TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
     }
 }
 
-// A half circle whose ends lean opposite ways has two ways between them, of which the axes take the shorter
-// one.
+// A half circle with ends tilted in opposite directions has two paths between them, of which the axes take
+// the shorter one.
 TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
     const auto leaning = [](const Vector& at, double x, double y) {
         Point point = to(at, 0, 0);
@@ -154,7 +154,7 @@ TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
     }
 }
 
-// The tip stays in the work while the head turns about it: X, Y and Z go, so F is in mm/min.
+// The TCP stays in the work while the head turns about it: X, Y and Z move, so F is in mm/min.
 TEST(AxisMoves, TurningAboutTheTip) {
     Point turn = to({900, 800, 300}, 40, 60);
     turn.feed_deg_min = 2000;
@@ -166,7 +166,7 @@ TEST(AxisMoves, TurningAboutTheTip) {
     EXPECT_NEAR(run.minutes_from(1), std::hypot(40, 60) / 2000, 1e-4);
 }
 
-// Whole turns bring X, Y and Z back to where they were; between them the tip must not swing.
+// Full turns return X, Y and Z to their positions; between them the TCP must not swing.
 TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
     std::vector<Target> targets;
     for (int i = 0; i <= 30; ++i) targets.emplace_back(to({900.0 + i, 800, 300}, 20, 30 * i));
@@ -215,8 +215,8 @@ TEST(AxisMoves, SubPathsKnowHowTheyAreEntered) {
     EXPECT_EQ(still.log.notes.size(), 1U) << "the head comes turned already";
 }
 
-// Of points on one line of the axes only the last is left; the others bend, turn nothing, or have other
-// feeds.
+// Only the last of several points on one line of the axes is left; other points bend the path, turn no axis,
+// or have other feeds.
 TEST(AxisMoves, LinesThatGoOnAreMerged) {
     const machine::Machine machine = offset_head();
     const MachineSpace space = MachineSpace::make(machine).value();

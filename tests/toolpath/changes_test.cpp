@@ -1,4 +1,4 @@
-// A path that is put elsewhere, gone through in another order, at other feeds.
+// Path at another position, in another order, at other feeds.
 #include "toolpath/placement/changes.h"
 
 #include <Eigen/Geometry>
@@ -40,7 +40,7 @@ rrs::CartPos motion_of(double x_mm, double y_mm, double z_mm, double roll_rad, d
     return kinematics::pose_from_rpy({x_mm, y_mm, z_mm, roll_rad, pitch_rad, yaw_rad});
 }
 
-/// Where the tool points with the rotary axes at what a point names, or as it says itself.
+/// Returns the tool's direction with the rotary axes at the values of a point, or as the point gives it.
 Eigen::Vector3d axis_at(const MachineSpace& space, const Point& point) {
     if (const auto* axis = std::get_if<ToolAxis>(&*point.orientation))
         return to_eigen(axis->direction).normalized();
@@ -103,7 +103,7 @@ TEST(PathChanges, ATurnThatNoRotaryAxisMakesGivesToolAxes) {
     expect_moved(wheel(), placed, motion, space, false);
 }
 
-// Of a table that turns the work the axis turns the other way.
+// The axis of a table that turns the work turns in the other direction.
 TEST(PathChanges, TablesTurnTheirOwnWay) {
     const machine::Machine mill = read_sample("mill-table-table.toml");
     const MachineSpace space = MachineSpace::make(mill).value();
@@ -170,7 +170,7 @@ TEST(PathChanges, WhatCannotBePlacedIsSaid) {
     EXPECT_THAT(fault(bare), HasSubstr("rotary axes B stand"));
 }
 
-// The tool of a machine without rotary axes stands as it stands.
+// The tool of a machine without rotary axes keeps its direction.
 TEST(PathChanges, WhatCannotLeanIsNotLeant) {
     const machine::Machine router = read_sample("router3.toml");
     const MachineSpace space = MachineSpace::make(router).value();
@@ -182,7 +182,7 @@ TEST(PathChanges, WhatCannotLeanIsNotLeant) {
     EXPECT_NEAR(std::get<Point>(program.paths[0].targets[0]).position_mm[2], 30, 1e-12);
 }
 
-// Where a reference point leaves the axes is not turned along with the path.
+// The axis positions at a reference point are not turned along with the path.
 TEST(PathChanges, BehindAPointOfTheMachineEachAxisIsNamed) {
     const machine::Machine mill = read_sample("mill-table-table.toml");
     const MachineSpace space = MachineSpace::make(mill).value();
@@ -230,7 +230,7 @@ TEST(PathChanges, TheOrderOfSubPathsChanges) {
     EXPECT_EQ(std::get<SubPath>(targets[2]).path, 2U);
 }
 
-// What a sub-path takes over from the one before would be another thing behind another one.
+// A value that a sub-path takes over from the one before would differ in another order.
 TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     const std::vector<std::size_t> order{2, 0, 1};
     const auto fault = [&](Path third) {
@@ -247,7 +247,7 @@ TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     EXPECT_THAT(fault({"c", {on}}), HasSubstr("something else running"));
     Program program = of_three({"c", {point_at(3, 300)}});
     EXPECT_THAT(put_in_order(program, {0, 0, 1}).error().sentence, HasSubstr("each of 0 to 2 once"));
-    // Half of an orientation is taken over, too; and what nobody compares may hold on.
+    // Half of an orientation is taken over, too; values that are not compared may continue.
     Point half = point_at(3, 300);
     half.orientation = RotaryAxes{{'C', 0}};
     EXPECT_THAT(fault({"c", {half}}), HasSubstr("all rotary axes"));
@@ -297,7 +297,7 @@ TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
     EXPECT_THAT(change_feeds(takes, change).error(), HasSubstr("'c' takes one over"));
     EXPECT_EQ(std::get<Point>(takes.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
     ASSERT_TRUE(change_feeds(takes, {.path = "a", .value = 2})) << "b has its own, and hands that over";
-    // Behind a sub-path, in the path that uses it.
+    // After a sub-path, in the path that uses it.
     Program behind = of_three({"c", {point_at(3, 300)}});
     behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
     EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));

@@ -1,5 +1,5 @@
-// Random paths for machines whose tip moves when axes turn: written, translated and run, the tip goes where
-// the path says, at its points and between them.
+// Random paths for machines with a TCP that moves when axes turn: after writing, translation and run, the TCP
+// follows the path, at its points and between them.
 #include <cmath>
 #include <random>
 #include <string>
@@ -25,7 +25,7 @@ constexpr int kPoints = 12;
 
 struct Coupled {
     std::string machine, post;
-    Vector3d middle;  ///< Of a box in the work frame that the machine reaches.
+    Vector3d middle;  ///< Centre of a reachable box in the work frame.
     double digit_mm, digit_deg;
 };
 
@@ -123,7 +123,7 @@ TEST_P(CoupledRoundTrip, TheTipGoesWhereThePathSays) {
     expect_tip_on_path({random_path(random, GetParam().middle), "f", {}, {}}, GetParam());
 }
 
-// The tip reaches its feed in each piece, where axes on ramps of their own would be out of proportion.
+// The TCP reaches its feed in each part, while axes on ramps of their own would be out of proportion.
 TEST(TurningHead, KeepsTheTipOnALine) {
     std::vector<Target> targets(2, Point{});
     auto& start = std::get<Point>(targets[0]);

@@ -1,4 +1,4 @@
-// What is written is read back; what is wrong is told with its place.
+// Written paths are read back; errors are reported with their source location.
 #include <random>
 #include <string>
 #include <vector>

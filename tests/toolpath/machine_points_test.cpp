@@ -1,4 +1,4 @@
-// Fixed and reference points: what is read, the way to them, and where the rotary axes stand behind them.
+// Fixed and reference points: their reading, the path to them, and the rotary axes after them.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -83,8 +83,8 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
               "f:1:38: 'dwell_s' must be 0 or greater and at most 1e6; it is -1");
 }
 
-// Straight behind it, behind a sub-path that ends there, and at the beginning of one that is gone through
-// again.
+// The rapid comes directly after the point, after a sub-path that ends there, and at the beginning of a
+// repeated sub-path.
 TEST(MachinePoints, WhatFollowsIsARapid) {
     const std::string sentence =
         "the first motion behind a fixed or reference point must be a rapid: where that point is in the work "
@@ -164,7 +164,7 @@ TEST_F(Plan, GoesOnFromWhereThePointHasTheAxes) {
     EXPECT_TRUE((*turns_)[0].unwindings.empty());
 }
 
-// A path of such points alone has no values of its own; its users go on with theirs.
+// A path of such points alone has no values of its own; its users continue with theirs.
 TEST_F(Plan, PathsThatNameNoRotaryAxisPassThemOn) {
     const MachinePoint park = fixed({{'X', 1}, {'Y', 1}, {'Z', 1}});
     plan(
@@ -230,8 +230,8 @@ struct Driven : MoveSink {
     const machine::Machine& machine_;
 };
 
-// Programs without a jet cut with each line, so that axes go the short way: from where they really stand,
-// wherever points of the machine have left them.
+// Programs without a jet cut with each line, so that axes take the short path. It starts from their true
+// positions, wherever points of the machine have left them.
 TEST_F(Plan, LinesTurnTheShortWayFromWhereTheAxesReallyStand) {
     std::mt19937 random(11);
     int driven = 0, lines = 0, ups = 0;

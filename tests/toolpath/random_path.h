@@ -6,13 +6,13 @@
 
 namespace gsim::path {
 
-/// What random programs may hold.
+/// Permitted content of random programs.
 struct RandomPathOptions {
     bool tilted_arcs = true;
     bool orientations = true;  ///< rotary_deg with B and C; otherwise none.
     bool extras = true;        ///< Names, dwells, actions, accelerations, durations.
     int sub_paths = 3;
-    bool machine_points = false;  ///< Fixed and reference points, whose places nobody knows.
+    bool machine_points = false;  ///< Fixed and reference points at unknown positions.
 };
 
 /// A well-formed program inside a box of 100 mm to 400 mm.

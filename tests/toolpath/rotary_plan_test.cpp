@@ -120,7 +120,7 @@ TEST(RotaryPlan, TheJetIsOffWhileAxesUnwind) {
     EXPECT_TRUE(log.jet) << "on again behind each";
 }
 
-// Orientation by the tool's axis: the machine's forward kinematics point where the path says.
+// Orientation by the tool's axis: the machine's forward kinematics point in the direction of the path.
 TEST(RotaryPlan, ToolAxesAreReachedAndTurnedToLittle) {
     const machine::Machine machine = built_in();
     std::vector<Target> targets;

@@ -1,5 +1,5 @@
-// Random paths, written for each controller, translated, run: the tool goes where the path says, along its
-// lines and arcs, to the printed digits.
+// Random paths, written for each controller, translated, run: the tool follows the path, along its lines and
+// arcs, to the printed digits.
 #include <cmath>
 #include <random>
 #include <string>
@@ -66,7 +66,7 @@ class Follower {
             if (testing::Test::HasFailure()) return;
         }
     }
-    /// Whether the run holds no motion beyond the path.
+    /// Returns true if the run has no motion beyond the path.
     bool at_end() const {
         double left_mm = 0;
         for (std::size_t i = next_; i < run_.moves.size(); ++i) left_mm += run_.moves[i].length_mm;

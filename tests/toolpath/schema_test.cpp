@@ -100,7 +100,7 @@ TEST(PathSchema, HasTheReadersNumbersOfMachinePoints) {
     }
 }
 
-// What the schema allows at its limits the reader allows, and nothing beyond.
+// The reader accepts what the schema allows at its limits, and no more.
 TEST(PathSchema, HasTheReadersLimits) {
     const json all = schema();
     const auto accepted = [](const std::string& key, double value) {

@@ -1,4 +1,4 @@
-// Work frames and tools of paths: what is told, when, and what cannot be.
+// Work frames and tools of paths: the output, its time, and the errors.
 #include "toolpath/placement/set_up.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::string path(const std::string& name_and_keys, const std::string& targets) {
     return R"({"name": )" + name_and_keys + R"(, "targets": [)" + targets + "]}";
 }
 
-/// What the moves of one path of a program tell, or why there are none.
+/// Returns the output of one path's moves in a program, or the error.
 std::string told(const Program& program, std::size_t path, const MoveOptions& options = {}) {
     const machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
@@ -122,7 +122,7 @@ TEST(SetUp, AJetIsOffMeanwhile) {
               "the jet may be on where the tool or the work offset changes; turn it off before");
 }
 
-// 10 + 595 is beyond X 600; where nobody knows where the frame lies nothing is said.
+// 10 + 595 is beyond X 600; if the position of the frame is unknown, no error is reported.
 TEST(SetUp, RangesAreThoseOfTheMachine) {
     const Program program =
         program_of(path(R"("job")", R"({"path": "part", "work_offset": "G55"}, {"path": "part"})") + "," +

@@ -1,4 +1,4 @@
-// Touches that find a work frame: what is read is written, and what cannot be is told.
+// Touches that find a work frame: read ones are written, and impossible ones are reported.
 #include "toolpath/json/touches.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Touches, WhatIsReadIsWritten) {
     EXPECT_EQ(read_json(to_json(file->program), "f").value().program, file->program);
 }
 
-// The ball touches with its side: its middle is a radius before the surface, whichever way it comes.
+// The ball touches with its side: its middle is a radius before the surface, from either direction.
 TEST(Touches, TheMiddleOfTheBallIsBeforeTheSurface) {
     EXPECT_EQ(contact_mm({'X', {-9, 0, 0}, 5, 1, 60, 2, {}}), -1);
     EXPECT_EQ(contact_mm({'Y', {0, 9, 0}, -5, 1, 60, 2, {}}), 3);

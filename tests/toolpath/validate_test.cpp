@@ -1,4 +1,4 @@
-// Each way of being ill formed has its sentence and its place.
+// Each kind of malformed path has its message and its source location.
 #include "toolpath/model/validate.h"
 
 #include <limits>
@@ -97,7 +97,7 @@ TEST(ValidatePath, AnArcAtTheStartOfASubPathFitsEachOfItsUsers) {
     EXPECT_FALSE(validate(program));
     program.paths[0].targets[2] = at(0, 6, 0);  // the second time start, via and end are in line
     expect_fault(program, {1, 0}, "via point lies on the line");
-    program.paths[0].targets = {at(0, 0, 0), SubPath{1, 2}};  // the second time it starts where it ends
+    program.paths[0].targets = {at(0, 0, 0), SubPath{1, 2}};  // the second time its start is its end
     expect_fault(program, {1, 0}, "must end elsewhere");
 }
 

@@ -9,7 +9,7 @@
 
 namespace gsim::path {
 
-/// How far a place is off the line or arc from `start` to `end`, mm.
+/// Returns the distance of a position from the line or arc from `start` to `end`, mm.
 inline double off_the_way(const Eigen::Vector3d& place, const Eigen::Vector3d& start,
                           const Eigen::Vector3d& end, const std::optional<ArcShape>& arc) {
     if (!arc) {

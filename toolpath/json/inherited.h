@@ -5,15 +5,15 @@
 
 namespace gsim::path {
 
-/// A value that a path takes over from those that use it: not there, the same from all of them, or not; or
-/// one that a target has left unknown.
+/// Value that a path inherits from those that use it: absent, the same from all of them, or different; or
+/// left unknown by a target.
 template <typename T>
 class Inherited {
   public:
     Inherited() = default;
     explicit Inherited(T value) : value_(std::move(value)) {}
 
-    /// One that nobody can tell.
+    /// Returns an unknown value.
     static Inherited unknown() {
         Inherited made;
         made.differs_ = true;
@@ -22,12 +22,12 @@ class Inherited {
 
     const std::optional<T>& value() const { return value_; }
     bool differs() const { return differs_; }
-    /// Takes in what another user hands over.
+    /// Merges the value that another user passes on.
     void merge(const Inherited& other) {
         differs_ = differs_ || other.differs_ || value_ != other.value_;
         if (differs_) value_.reset();
     }
-    /// Takes over what something behind it sets; nothing where that leaves it.
+    /// Applies what a later element sets; no change if that leaves the value.
     void set(const Inherited& later) {
         if (later.value_ || later.differs_) *this = later;
     }

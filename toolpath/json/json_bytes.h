@@ -9,11 +9,11 @@
 
 namespace gsim::path {
 
-/// The bytes of a JSON text on their way to a parser, piece by piece, with the place of the token at hand: a
-/// SAX parser tells values, but not where they stand.
+/// Bytes of a JSON text that are passed to a parser part by part, with the source location of the current
+/// token. A SAX parser reports values, but not their positions.
 class JsonBytes {
   public:
-    /// Fills the buffer and returns how many bytes it wrote; 0 at the end.
+    /// Function that fills the buffer and returns how many bytes it wrote; 0 at the end.
     using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
 
     explicit JsonBytes(Read read) : read_(std::move(read)) { fill(); }
@@ -27,12 +27,12 @@ class JsonBytes {
         if (++next_ == end_) fill();
     }
 
-    /// Where the last string, number, word or opening bracket began.
+    /// Returns the start position of the last string, number, word or opening bracket.
     const Place& token() const { return token_; }
-    /// Behind the last byte that was read.
+    /// Returns the position after the last byte that was read.
     const Place& here() const { return here_; }
 
-    /// What a parser reads by.
+    /// Iterator with which a parser reads.
     class Iterator {
       public:
         using iterator_category = std::input_iterator_tag;
@@ -48,7 +48,7 @@ class JsonBytes {
             bytes_->advance();
             return *this;
         }
-        /// Against the end alone.
+        /// Compares with the end only.
         bool operator==(const Iterator&) const { return bytes_->at_end(); }
 
       private:
@@ -86,7 +86,8 @@ inline void JsonBytes::note(char c) {
     if (c == '\n') here_ = {here_.line + 1, 1};
 }
 
-// A parser reads one byte beyond a number to see that it ends: what may stand there is no token of its own.
+// Handles the one byte that a parser reads beyond a number to detect its end: such a byte is no token of its
+// own.
 inline void JsonBytes::note_outside(char c) {
     switch (c) {
         case '"':

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongestMessage = 300;
 
-// What the parser says, without its own numbering and place.
+// Returns the parser's message without its own numbering and position.
 std::string_view plain_message(std::string_view what) {
     const std::size_t column = what.find("column ");
     const std::size_t behind = column == std::string_view::npos ? column : what.find(": ", column);
@@ -170,7 +170,7 @@ bool JsonHandler::number_of_path(double value) {
     return wrong_type("a number");
 }
 
-// Of the vector that is open.
+// Returns the key of the open vector.
 std::string_view JsonHandler::vector_key() const {
     const Level of = levels_[levels_.size() - 2];
     if (of == Level::touch) return name_of(touch_key_);
@@ -231,7 +231,7 @@ bool JsonHandler::value_of_touch(std::string_view value) {
     return check(touch_draft_.set_text(touch_key_, value));
 }
 
-// Of a path, or of the use of one.
+// Adds the touch to a path, or to the use of one.
 bool JsonHandler::end_touch() {
     const auto touch = touch_draft_.finish();
     if (!touch) return fail(touch_place_, touch.error());

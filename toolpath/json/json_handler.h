@@ -16,15 +16,15 @@
 
 namespace gsim::path {
 
-/// Builds a program from the events of a JSON parser. An event that returns false ends the parsing; error()
-/// then says why.
+/// Builder of a program from the events of a JSON parser. An event that returns false ends the parsing;
+/// error() then gives the reason.
 class JsonHandler {
   public:
     JsonHandler(const JsonBytes& bytes, std::string file_name) : bytes_(bytes) {
         file_.file_name = std::move(file_name);
     }
 
-    // What nlohmann::json::sax_parse calls.
+    // Events that nlohmann::json::sax_parse calls.
     bool null() { return wrong_type("null"); }
     bool boolean(bool) { return wrong_type("true or false"); }
     bool number_integer(nlohmann::json::number_integer_t value) { return number(static_cast<double>(value)); }
@@ -42,7 +42,7 @@ class JsonHandler {
     bool parse_error(std::size_t position, const std::string& last_token,
                      const nlohmann::json::exception& exception);
 
-    /// The program after the last event; the error is "file:line:column: sentence".
+    /// Returns the program after the last event; the error is "file:line:column: message".
     tl::expected<PathFile, std::string> finish();
     const std::string& error() const { return error_; }
 

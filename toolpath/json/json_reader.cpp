@@ -12,7 +12,7 @@ namespace gsim::path {
 
 namespace {
 
-/// Of a path file: some millions of points, which take some times as much memory.
+/// Max size of a path file: some millions of points, which take several times as much memory.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30U;
 
 }  // namespace
@@ -25,7 +25,7 @@ tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, s
         size += count;
         return size > kMaxBytes ? 0 : count;
     };
-    // Not on the stack: it holds a large buffer.
+    // Not on the stack, because it holds a large buffer.
     const auto bytes = std::make_unique<JsonBytes>(bounded);
     JsonHandler handler(*bytes, file_name);
     const bool parsed =

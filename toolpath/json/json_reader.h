@@ -11,13 +11,13 @@
 
 namespace gsim::path {
 
-/// Reads a path file (docs/paths.md) strictly: unknown, double and missing keys, wrong types and names of
-/// paths that do not exist are errors, as is what validate() finds. The error is "file:line:column:
-/// sentence"; `file_name` is for that.
+/// Reads a path file (docs/paths.md) strictly. Unknown, double and missing keys, wrong types and names of
+/// paths that do not exist are errors, and so is what validate() finds. The error is "file:line:column:
+/// message", with `file_name`.
 tl::expected<PathFile, std::string> read_json(std::string_view text, std::string file_name);
 
-/// The same of bytes that come piece by piece: `read` fills a buffer and returns how many bytes it wrote, 0
-/// at the end. The text is not kept.
+/// Reads the same from bytes that arrive part by part: `read` fills a buffer and returns how many bytes it
+/// wrote, 0 at the end. The text is not kept.
 tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, std::size_t)> read,
                                               std::string file_name);
 

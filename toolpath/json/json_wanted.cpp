@@ -1,4 +1,4 @@
-// What stands in the place of a value of the wrong kind.
+// Expected values, for messages about a value of the wrong kind.
 
 #include <fmt/format.h>
 

@@ -7,12 +7,12 @@
 
 namespace gsim::path {
 
-// The keys of the text form (docs/paths.md), the same in JSON and in Lua.
+// Keys of the text form (docs/paths.md), the same in JSON and in Lua.
 
 inline constexpr std::array<std::string_view, 5> kProgramKeys = {"$schema", "name", "root", "paths",
                                                                  "work_offsets"};
 
-/// A path's keys; the first two it must have.
+/// Keys of a path; the first two are required.
 enum class PathKey {
     name,
     targets,
@@ -30,8 +30,8 @@ inline constexpr std::array<std::string_view, 8> kPathKeys = {
     "probe_offset", "tool",    "length_offset", "diameter_offset"};
 inline constexpr std::size_t kNeededPathKeys = 2;
 
-/// A target's keys; those from `path` on are of sub-paths, as is `work_offset`. `fixed` and `reference` make
-/// a target a point of the machine, which has `name`, `dwell_s` and `actions` beside them.
+/// Keys of a target; those from `path` on are for sub-paths, as is `work_offset`. `fixed` and `reference`
+/// make a target a point of the machine, which also has `name`, `dwell_s` and `actions`.
 enum class TargetKey {
     name,
     motion,
@@ -87,7 +87,7 @@ inline constexpr auto kTargetKeys = std::to_array<std::string_view>({"name",
                                                                      "set_offset_mm",
                                                                      "probe_offset"});
 
-/// The keys of a touch of `probe_offset`; the first five it must have.
+/// Keys of a touch of `probe_offset`; the first five are required.
 enum class TouchKey { axis, from_mm, to_mm, surface_mm, feed_mm_min, probe_radius_mm, tool };
 
 /// In the order of TouchKey.
@@ -95,7 +95,7 @@ inline constexpr std::array<std::string_view, 7> kTouchKeys = {
     "axis", "from_mm", "to_mm", "surface_mm", "feed_mm_min", "probe_radius_mm", "tool"};
 inline constexpr std::size_t kNeededTouchKeys = 5;
 
-/// The key of a work coordinate system that is no axis.
+/// Key of a work coordinate system that is not an axis.
 inline constexpr std::string_view kRotationKey = "rotation_deg";
 
 inline constexpr std::string_view name_of(TargetKey key) {

@@ -15,30 +15,30 @@
 
 namespace gsim::path {
 
-/// A target while its keys are read, one after the other in any order. Errors are sentences.
+/// Target while its keys are read, one after the other in any order. Errors are messages.
 class TargetDraft {
   public:
-    /// What kind of value a key takes.
+    /// Kind of value of a key.
     enum class ValueKind { text, number, text_or_number, vector, letters, list, touches };
     static ValueKind kind_of(TargetKey key);
 
-    /// Whether the key was there before; it is from now on.
+    /// Marks the key as present; returns true if it was present before.
     bool mark(TargetKey key);
 
     tl::expected<void, std::string> set_text(TargetKey key, std::string_view value);
     tl::expected<void, std::string> set_number(TargetKey key, double value);
-    /// As many values as a vector has, no more and no fewer.
+    /// Sets a vector, which needs its exact number of values.
     tl::expected<void, std::string> set_vector(TargetKey key, const std::vector<double>& values);
     tl::expected<void, std::string> set_rotary(std::string_view letter, double value_deg);
     void add_action(std::string action) { point_.actions.push_back(std::move(action)); }
-    /// One of the list of `probe_offset`, and behind the last one of it.
+    /// Adds one of the list of `probe_offset`; end_touches() follows the last one.
     void add_touch(const Touch& touch) { frame_.add_touch(touch); }
     tl::expected<void, std::string> end_touches() const { return frame_.end_touches(); }
-    /// An empty table of rotary axes is one too.
+    /// Begins a table of rotary axes, which may be empty.
     void begin_rotary() { point_.orientation = RotaryAxes{}; }
 
-    /// The target, once all its keys are there. A sub-path has the index 0; `path_name()` says which is
-    /// meant.
+    /// Returns the target, once all its keys are read. A sub-path has the index 0; `path_name()` gives the
+    /// path that is meant.
     tl::expected<Target, std::string> finish();
     bool is_sub_path() const {
         return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm) ||

@@ -12,21 +12,21 @@
 
 namespace gsim::path {
 
-/// A touch while its keys are read, one after the other in any order. Errors are sentences.
+/// Touch while its keys are read, one after the other in any order. Errors are messages.
 class TouchDraft {
   public:
-    /// What kind of value a key takes.
+    /// Kind of value of a key.
     enum class ValueKind { text, number, vector };
     static ValueKind kind_of(TouchKey key);
 
-    /// Whether the key was there before; it is from now on.
+    /// Marks the key as present; returns true if it was present before.
     bool mark(TouchKey key);
     tl::expected<void, std::string> set_text(TouchKey key, std::string_view value);
     tl::expected<void, std::string> set_number(TouchKey key, double value);
-    /// As many values as a vector has, no more and no fewer.
+    /// Sets a vector, which needs its exact number of values.
     tl::expected<void, std::string> set_vector(TouchKey key, const std::vector<double>& values);
 
-    /// The touch, once all its keys are there.
+    /// Returns the touch, once all its keys are read.
     tl::expected<Touch, std::string> finish() const;
 
   private:
@@ -34,13 +34,13 @@ class TouchDraft {
     Touch touch_;
 };
 
-/// What is wrong with the values of a touch.
+/// Returns the error in the values of a touch.
 std::optional<std::string> touch_fault(const Touch& touch);
 
-/// Whether the way of a touch leads towards greater values of its axis.
+/// Returns true if the path of a touch leads towards larger values of its axis.
 bool goes_up(const Touch& touch);
 
-/// What the axis shall have where the touch ends: the surface, less the radius of the ball.
+/// Returns the expected axis value at the end of the touch: the surface, less the radius of the ball.
 double contact_mm(const Touch& touch);
 
 }  // namespace gsim::path

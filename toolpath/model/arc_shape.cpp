@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double kLeastArc_mm = 1e-6;
 constexpr double kGreatestArcTurn_deg = 360e3;
 
-// The angle from one radius to another about `normal`, in [0, 2 pi).
+// Returns the angle from one radius to another about `normal`, in [0, 2 pi).
 double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
     const double angle = std::atan2(normal.dot(from.cross(to)), from.dot(to));
     return angle < 0 ? angle + kTurn_rad : angle;
@@ -36,7 +36,7 @@ tl::expected<ArcShape, std::string> through(const Vector3d& start, const Vector3
         return tl::unexpected<std::string>(
             "the via point lies on the line through start and end, which makes no arc; use a linear motion");
     }
-    // The centre of the circle through three points, from the first one.
+    // Centre of the circle through three points, from the first one.
     const Vector3d to_center =
         (to_via.squaredNorm() * cross.cross(chord) + chord.squaredNorm() * to_via.cross(cross)) /
         (2 * cross.squaredNorm());

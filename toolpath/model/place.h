@@ -10,8 +10,7 @@
 
 namespace gsim::path {
 
-/// Where something stands in the file that a program came from; both count from 1, a column of 0 is not
-/// known.
+/// Position in the file that a program came from; both count from 1, a column of 0 is unknown.
 struct Place {
     std::uint32_t line = 1;
     std::uint32_t column = 0;
@@ -19,7 +18,7 @@ struct Place {
     bool operator==(const Place&) const = default;
 };
 
-/// A target of a program, or the path itself.
+/// Target of a program, or the path itself.
 struct TargetId {
     std::size_t path = 0;               ///< Index in Program::paths.
     std::optional<std::size_t> target;  ///< Index in Path::targets.
@@ -27,14 +26,14 @@ struct TargetId {
     bool operator==(const TargetId&) const = default;
 };
 
-/// A program with the file that it came from.
+/// Program with the file that it came from.
 struct PathFile {
     Program program;
     std::string file_name;
     std::vector<Place> paths;                 ///< One for each path.
     std::vector<std::vector<Place>> targets;  ///< One for each target of each path.
 
-    /// "file:line:column: sentence".
+    /// Returns "file:line:column: message".
     std::string located(const TargetId& id, const std::string& sentence) const;
 };
 

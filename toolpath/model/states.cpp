@@ -44,7 +44,7 @@ void State::pass(const Point& point) {
     act(point.actions);
 }
 
-// Where the tool is in the work nobody knows behind it, nor how it leans once rotary axes have turned.
+// Makes the tool's position in the work unknown, and its tilt too if rotary axes have turned.
 void State::pass(const MachinePoint& point) {
     position_mm = Inherited<Vector>::unknown();
     if (turns_tool(point)) orientation = Inherited<Orientation>::unknown();
@@ -91,7 +91,7 @@ States::States(const Program& program)
 
 void States::visit(std::size_t path, std::vector<bool>& seen) {
     seen[path] = true;
-    // From the last to the first, so that the reversed order has paths as they are first used.
+    // Visits targets from the last to the first, so that the reversed order lists paths by first use.
     const std::vector<Target>& targets = program_.paths[path].targets;
     for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
         const auto* sub_path = std::get_if<SubPath>(&*target);

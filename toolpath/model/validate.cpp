@@ -24,7 +24,7 @@ constexpr std::size_t kLongestName = 256;  // bytes
 
 using Sentence = std::optional<std::string>;
 
-// Names come into comments of programs and into names of files.
+// Checks a name, because names are written into comments of programs and names of files.
 Sentence name_fault(std::string_view what, std::string_view name) {
     if (name.size() > kLongestName) return fmt::format("{} is longer than {} bytes", what, kLongestName);
     const bool control = std::any_of(name.begin(), name.end(), [](char c) {
@@ -87,7 +87,7 @@ Sentence rates_fault(const Point& point) {
     return rate_fault(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
 }
 
-// What is done on arrival.
+// Checks the actions on arrival.
 Sentence arrival_fault(double dwell_s, const std::vector<std::string>& actions) {
     if (!(dwell_s >= 0 && dwell_s <= kGreatest))
         return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", dwell_s);
@@ -109,7 +109,7 @@ Sentence point_fault(const Point& point) {
     return arrival_fault(point.dwell_s, point.actions);
 }
 
-// As machine data have such names.
+// Returns true for a name as machine data have it.
 bool is_name_of_machine_point(std::string_view name) {
     const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
     return !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
@@ -133,7 +133,7 @@ Sentence machine_point_fault(const MachinePoint& point) {
     return arrival_fault(point.dwell_s, point.actions);
 }
 
-// From where the tool comes to a target.
+// Position from which the tool comes to a target.
 struct Start {
     std::optional<Vector> at_mm = {};
     bool is_machine_point = false;
@@ -204,7 +204,7 @@ class Validator {
         }
     }
 
-    // The offsets that a program sets are set once, at its beginning.
+    // Checks that offsets set by a program are set once, at its beginning.
     void check_frame(const TargetId& id, const WorkFrame& frame) {
         if (frame.name.empty() && !frame.set_offset_mm && frame.touches.empty()) return;
         if (auto sentence = frame_fault(frame)) return fail(id.path, id.target, *sentence);
@@ -215,7 +215,7 @@ class Validator {
             fail(id.path, id.target, fmt::format("the work offset '{}' is set to two places", frame.name));
     }
 
-    // Likewise those that it finds.
+    // Checks the same for offsets that a program finds.
     void check_touches(const TargetId& id, const WorkFrame& frame) {
         if (frame.touches.empty()) return;
         for (const Touch& touch : frame.touches) {
@@ -255,7 +255,7 @@ class Validator {
         }
     }
 
-    // What is in the spindle is known by the paths' tools alone.
+    // Checks tool actions, because only the paths' tools define what is in the spindle.
     Sentence tool_action_fault(const std::vector<std::string>& actions) const {
         if (!names_tools_) return std::nullopt;
         const auto change = std::find_if(actions.begin(), actions.end(), is_tool_change);
@@ -264,7 +264,7 @@ class Validator {
             "the action '{}' stands beside paths that name their 'tool'; name that one so, too", *change);
     }
 
-    // A point's own offset is one of the program's.
+    // Checks that a point's own offset is one of the program's.
     Sentence work_offset_fault(const Point& point) const {
         if (!point.work_offset.empty() && !program_.is_recorded())
             return "'work_offset' of a point is for paths that were recorded from a run; otherwise a path "
@@ -298,8 +298,8 @@ class Validator {
         }
     }
 
-    // How many levels are below a path. The way down is never longer than kMaxDepth, however long a chain or
-    // a circle of paths is.
+    // Returns the number of levels below a path. The descent is never longer than kMaxDepth, however long a
+    // chain or a circle of paths is.
     int check_nesting(std::size_t path) {
         if (height_[path]) return *height_[path];
         if (std::find(way_.begin(), way_.end(), path) != way_.end()) {
@@ -338,7 +338,7 @@ class Validator {
         return end_of(program_.paths[std::get<SubPath>(target).path].targets.back());
     }
 
-    // All motions but one that the path begins with.
+    // Checks all motions except one that the path begins with.
     void check_motions(std::size_t path) {
         Start start;
         const std::vector<Target>& targets = program_.paths[path].targets;
@@ -350,7 +350,7 @@ class Validator {
         }
     }
 
-    // The motion that a target begins with, for one of the places that lead to it.
+    // Checks the motion that a target begins with, for one of the positions that lead to it.
     void check_motion(const TargetId& id, const Start& start) {
         const Target& target = program_.paths[id.path].targets[*id.target];
         if (const auto* use = std::get_if<SubPath>(&target)) return check_motion({use->path, 0}, start);
@@ -378,7 +378,7 @@ class Validator {
     std::map<std::string_view, const std::vector<Touch>*> touches_;
     bool names_tools_ = false;
     std::vector<std::optional<int>> height_;  // of each path
-    std::vector<std::size_t> way_;            // from the path where the search began
+    std::vector<std::size_t> way_;            // from the path at which the search began
     TargetId user_;                           // what leads to the path being looked at
 };
 

@@ -7,15 +7,15 @@
 
 namespace gsim::path {
 
-/// What is ill formed in a program, and where.
+/// Error in the form of a program, and its location.
 struct Fault {
     TargetId where;
     std::string sentence;
 };
 
-/// The first thing that makes a program ill formed, whatever the machine: a path that leads back to itself or
-/// is nested too deep, names that are missing or double, numbers out of range, arcs that are none. Nothing if
-/// it is well formed. Time grows with the number of targets, not with repeats.
+/// Returns the first error in the form of a program, whatever the machine: a path that leads back to itself
+/// or is nested too deep, missing or double names, numbers out of range, invalid arcs. Returns nullopt if it
+/// is well formed. Time grows with the number of targets, not with repeats.
 std::optional<Fault> validate(const Program& program);
 
 }  // namespace gsim::path

@@ -13,10 +13,10 @@ namespace {
 
 using FeedFault = tl::unexpected<std::string>;
 
-/// Which path a feed comes from; nothing: from whoever uses this one.
+/// Path that a feed comes from; nullopt: from the path that uses this one.
 using Source = std::optional<std::size_t>;
 
-/// Finds motions that take a feed over from a path whose feeds are to change, while their own stay.
+/// Search for motions that inherit a feed from a path with changing feeds, while their own stay.
 class Heirs {
   public:
     Heirs(const Program& program, std::size_t changed)
@@ -25,7 +25,7 @@ class Heirs {
           takes_(program.paths.size(), false),
           leaves_(program.paths.size()) {}
 
-    /// The path that has such a motion; nothing: there is none.
+    /// Returns the path that has such a motion; nullopt if no path has one.
     std::optional<std::size_t> find() {
         const States states(program_);
         const std::vector<std::size_t>& order = states.users_first();
@@ -34,7 +34,7 @@ class Heirs {
     }
 
   private:
-    /// Paths that this one uses have been gone through.
+    /// Expects that the paths used by this one have been visited.
     void go_through(std::size_t path) {
         Source now;
         for (const Target& target : program_.paths[path].targets) {
@@ -54,7 +54,7 @@ class Heirs {
         if (takes_[use.path] && use.repeats > 1) take(now ? use.path : path, now);
     }
 
-    /// A motion of the path goes by a feed from there.
+    /// Records that a motion of the path uses a feed from there.
     void take(std::size_t path, const Source& from) {
         if (!from) takes_[path] = true;
         if (from == changed_ && path != changed_ && !heir_) heir_ = path;
@@ -67,12 +67,12 @@ class Heirs {
 
     const Program& program_;
     std::size_t changed_;
-    std::vector<bool> takes_;     // a feed of whoever uses it
-    std::vector<Source> leaves_;  // the feed behind it
+    std::vector<bool> takes_;     // a feed of the path that uses it
+    std::vector<Source> leaves_;  // the feed after it
     std::optional<std::size_t> heir_;
 };
 
-/// How many points have got another feed.
+/// Returns how many points got another feed.
 std::size_t change_feeds(Path& path, const FeedChange& change) {
     std::size_t changed = 0;
     for (Target& target : path.targets) {

@@ -22,10 +22,10 @@ Vector vector_of(const Vector3d& from) {
     return {from.x(), from.y(), from.z()};
 }
 
-/// Rotary values that the whole of a machine's tool turns along with, by an angle about an axis of the work.
+/// Rotary axis that turns the complete tool of a machine, with an angle about an axis of the work.
 class TurningAxis {
   public:
-    /// The rotary axis that does it whatever the others do; nothing: none does.
+    /// Returns the rotary axis that does so whatever the others do; nullopt if none does.
     static std::optional<TurningAxis> find(const MachineSpace& space, const Eigen::Matrix3d& turn) {
         const Eigen::AngleAxisd angle_axis(turn);
         for (std::size_t i = 0; i < space.rotary_count(); ++i) {
@@ -82,7 +82,7 @@ class Placing {
             bool knows_axis = false;
             for (std::size_t i = 0; i < targets.size(); ++i) {
                 auto* point = std::get_if<Point>(&targets[i]);
-                // Fixed and reference points stay, and so does where they leave the axes.
+                // Fixed and reference points stay, and so do the axis values after them.
                 if (point == nullptr) {
                     knows_axis = knows_axis && !has_machine_points_;
                     continue;
@@ -130,7 +130,7 @@ class Placing {
         }
     }
 
-    /// Why it cannot be turned.
+    /// Returns why it cannot be turned.
     std::optional<std::string> turn(Point& point, bool& knows_axis) const {
         if (!turns_ || !point.orientation) return std::nullopt;
         if (auto* axis = std::get_if<ToolAxis>(&*point.orientation)) {

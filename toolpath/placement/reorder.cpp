@@ -15,7 +15,7 @@ namespace {
 
 using OrderFault = tl::unexpected<Fault>;
 
-/// The first point of a path and of those that it begins with; null: it begins with no point.
+/// Returns the first point of a path, also of sub-paths that it begins with; null if it begins with no point.
 const Point* first_point(const Program& program, std::size_t path) {
     const std::vector<Target>& targets = program.paths[path].targets;
     if (targets.empty()) return nullptr;
@@ -23,7 +23,7 @@ const Point* first_point(const Program& program, std::size_t path) {
     return std::get_if<Point>(&targets.front());
 }
 
-/// Whether a path says itself what feed its first cut has.
+/// Returns true if a path itself sets the feed of its first cut.
 bool has_own_feed(const Program& program, std::size_t path, bool& known) {
     for (const Target& target : program.paths[path].targets) {
         if (const auto* use = std::get_if<SubPath>(&target)) {
@@ -38,7 +38,7 @@ bool has_own_feed(const Program& program, std::size_t path, bool& known) {
     return true;
 }
 
-/// What is over when it is done, or what States compares.
+/// Returns true if the action has no lasting effect, or one that States compares.
 bool leaves_nothing(const std::string& action) {
     constexpr std::array<std::string_view, 8> kWords{
         "stop", "optional_stop", "message ", "print ", "debug ", "log ", "rest", "exact_stop_once"};
@@ -52,7 +52,7 @@ bool leaves_nothing(const std::string& action) {
            std::any_of(kCompared.begin(), kCompared.end(), begins);
 }
 
-/// What of a path holds on behind it, and nobody compares.
+/// Returns the effect of a target that lasts after the path, and is not compared.
 std::optional<std::string> fault_of_target(const Target& target) {
     for (const std::string& action : actions_of(target)) {
         if (!leaves_nothing(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
@@ -73,7 +73,7 @@ std::optional<Fault> find_what_holds_on(const Program& program) {
     return std::nullopt;
 }
 
-/// Whether an orientation says where each rotary axis stands.
+/// Returns true if an orientation sets the value of each rotary axis.
 bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace& space) {
     if (space.rotary_count() == 0) return true;
     if (!orientation) return false;
@@ -84,7 +84,7 @@ bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace&
     return true;
 }
 
-/// Whether the same runs: what was never turned on is off.
+/// Returns true if the same is running: a device that was never turned on is off.
 bool runs_alike(const Inherited<std::string>& one, const Inherited<std::string>& other) {
     const auto is_off = [](const Inherited<std::string>& each) {
         return !each.differs() && (!each.value() || each.value()->ends_with("_off"));
@@ -99,14 +99,14 @@ bool runs_alike(const Running& one, const Running& other) {
            runs_alike(one.mist, other.mist);
 }
 
-/// What a sub-path takes over, but for where the tool stands and how fast it goes.
+/// Compares what a sub-path inherits, except tool position and feed.
 bool begins_alike(const State& one, const State& other) {
     return one.jet_on == other.jet_on && one.abrasive_on == other.abrasive_on &&
            runs_alike(one.running, other.running) && one.frame == other.frame && one.tool == other.tool &&
            one.work_offset == other.work_offset && one.at_machine_point == other.at_machine_point;
 }
 
-/// Why a target of the root cannot stand elsewhere.
+/// Returns why a target of the root cannot be at another position.
 std::optional<std::string> fault_of_moving(const Program& program, const Target& target,
                                            const MachineSpace& space) {
     const auto* use = std::get_if<SubPath>(&target);

@@ -8,7 +8,7 @@ namespace gsim::path {
 
 namespace {
 
-// Whether the machine has moved.
+// Returns true if the machine has moved.
 bool is_under_way(const State& at) {
     return at.position_mm.value().has_value() || at.position_mm.differs();
 }
@@ -37,7 +37,7 @@ std::optional<Fault> SetUp::before(std::size_t target, const State& at) {
     return from_above ? must_be_rapid({path_, target}) : std::nullopt;
 }
 
-// Whether a sub-path's last motion is in another frame than the sub-path.
+// Returns true if a sub-path's last motion is in another frame than the sub-path.
 bool SetUp::ends_elsewhere(const SubPath& use) const {
     const auto* last = &use;
     for (;;) {
@@ -89,7 +89,7 @@ std::optional<Fault> SetUp::change_tool(const Tool& tool, const State& at) {
     return std::nullopt;
 }
 
-// The way from the height of the retracting to the work is no motion of the path.
+// Requires a rapid, because the motion from the retract height to the work is not part of the path.
 std::optional<Fault> SetUp::must_be_rapid(const TargetId& id) const {
     const Target& target = program_.paths[id.path].targets[*id.target];
     if (const auto* use = std::get_if<SubPath>(&target)) return must_be_rapid({use->path, 0});

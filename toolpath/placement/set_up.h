@@ -12,23 +12,23 @@ namespace gsim::path {
 
 class MoveSink;
 
-/// Tells a sink the work offsets and the tools that paths name, before the first motion and where they
-/// change. A path is in its frame wherever it moves, and goes back to it behind a sub-path that has another
-/// one; behind its end that of its user holds again. A tool stays until another one is named.
+/// Writer of the work offsets and tools that paths name, before the first motion and at each change. A path
+/// is in its frame wherever it moves, and returns to it after a sub-path with another one. After its end the
+/// frame of its user is active again. A tool stays until another one is named.
 class SetUp {
   public:
-    /// What is given must outlive this. `stops`: what a change of the tool stops; `jet`: the program has one.
+    /// All arguments must outlive this. `stops`: what a tool change stops; `jet`: the program has one.
     SetUp(const Program& program, const States& states, std::size_t path, const ToolChangeStops& stops,
           bool jet, MoveSink& sink)
         : program_(program), states_(states), path_(path), stops_(stops), jet_(jet), sink_(sink) {
         if (path != program.root) in_force_ = states.entry(path).frame.value();
     }
 
-    /// Before a target of the path; `at` is the state before it, without its tool.
+    /// Prepares a target of the path; `at` is the state before it, without its tool.
     std::optional<Fault> before(std::size_t target, const State& at);
-    /// Behind the last one of a sub-path.
+    /// Finishes after the last target of a sub-path.
     std::optional<Fault> finish(const State& at);
-    /// The frames that what follows may be in.
+    /// Returns the frames that the following targets may be in.
     std::set<std::string> frames() const;
 
   private:
@@ -46,7 +46,7 @@ class SetUp {
     bool jet_;
     MoveSink& sink_;
     std::optional<std::size_t> target_;
-    std::optional<std::string> in_force_;  // none: that of the path's users, who differ; or none yet
+    std::optional<std::string> in_force_;  // nullopt: that of the path's users, which differ; or none yet
     bool changed_ = false;                 // since the last motion, or that was in another frame
 };
 

@@ -14,7 +14,7 @@ constexpr double kLeastSteps = 20;       // of a program's numbers, in an arc's 
 constexpr double kGreatestRadius_mm = 1e5;
 constexpr double kSameEnd_mm = 1e-6;
 
-// Between the ends of an arc that turns so often, were it a circle.
+// Returns the gap between the ends of an arc of that many turns, as if it were a circle.
 double gap_mm(const ArcShape& arc, double turns) {
     return std::abs(turns - std::round(turns)) * kFullTurn_rad * arc.radius_mm();
 }
@@ -31,7 +31,7 @@ bool is_worth_an_arc(const ArcShape& arc, const MoveOptions& options) {
     return radius >= least && radius <= kGreatestRadius_mm && radius * arc.turn_rad >= least;
 }
 
-// Of an arc that nearly closes rounding might make a circle more or less.
+// Returns 1 for an arc that nearly closes, because rounding might add or remove a circle.
 int turns_in_one(const ArcShape& arc, const MoveOptions& options) {
     const double turns = arc.turn_rad / kFullTurn_rad;
     if (!options.arcs_of_turns) return 1;
@@ -40,7 +40,7 @@ int turns_in_one(const ArcShape& arc, const MoveOptions& options) {
     return nearly ? 1 : static_cast<int>(std::ceil(turns));
 }
 
-// One that nearly closes is halved, since rounding might close it.
+// Halves an arc that nearly closes, because rounding might close it.
 int pieces_in_plane(const ArcShape& arc, const MoveOptions& options) {
     const double turns = arc.turn_rad / kFullTurn_rad;
     const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
@@ -49,8 +49,8 @@ int pieces_in_plane(const ArcShape& arc, const MoveOptions& options) {
     return nearly && !closes(arc, share) ? 2 * pieces : pieces;
 }
 
-// The printed ends of an arc that nearly closes say little of the plane that they lie in: rounded by a digit,
-// they tilt it about the third point. It is halved where it would leave the tolerance.
+// Halves an arc that nearly closes, if it would leave the tolerance. Its printed ends say little about its
+// plane: rounded by a digit, they tilt it about the third point.
 int pieces_through_points(const ArcShape& arc, const MoveOptions& options) {
     const double least_gap = std::min(2.0, options.resolution_mm / options.tolerance_mm);  // in radii
     const double widest_rad = kFullTurn_rad - 2 * std::asin(least_gap / 2);

@@ -21,7 +21,7 @@ constexpr double kGreatestRotaryTurn_deg = 360'000;
 constexpr int kRangeSamples = 16;
 constexpr double kSamePlace_mm = 1e-6;
 
-// One path on its way into the sink.
+// Traversal of one path that writes to the sink.
 class Walk {
   public:
     Walk(const MachineSpace& space, const PathTurns& turns, const MoveOptions& options, bool jet,
@@ -39,10 +39,10 @@ class Walk {
 
     std::optional<Fault> go_to(const Point& point, std::size_t target, const State& before);
     std::optional<Fault> go_to(const MachinePoint& point, std::size_t target, const State& before);
-    /// Turns about the tip, if `to` is not null.
+    /// Turns about the TCP, if `to` is not null.
     std::optional<Fault> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
-    /// Behind the call of a sub-path.
+    /// Updates the state after the call of a sub-path.
     void return_from(std::size_t target) {
         if (turns_.knows(target)) rotary_ = turns_.at(target);
         work_offset_.clear();
@@ -52,7 +52,7 @@ class Walk {
     struct Feed {
         double per_min = 0;
         bool rotary = false;
-        std::optional<double> duration_s = {};  // of the whole motion
+        std::optional<double> duration_s = {};  // of the complete motion
         std::optional<double> per_rev = {};
     };
 
@@ -93,7 +93,7 @@ class Walk {
     const SetUp& set_up_;
     MoveSink& sink_;
     std::size_t target_ = 0;
-    AxisValues rotary_;        // empty where it is not known
+    AxisValues rotary_;        // empty if unknown
     std::string work_offset_;  // that the sink knows
 };
 
@@ -161,7 +161,7 @@ std::optional<Fault> Walk::tell_work_offset(const Point& point, const State& bef
     return std::nullopt;
 }
 
-// Where the tool is already.
+// Handles a point at which the tool already is.
 std::optional<Fault> Walk::stand(const Point& point, const AxisValues& axes, const State& before) {
     const std::optional<Vector>& at = before.position_mm.value();
     if (at && (to_eigen(*at) - to_eigen(point.position_mm)).norm() > kSamePlace_mm)
@@ -181,7 +181,7 @@ std::optional<Walk::Feed> Walk::feed_of(const TipMotion& motion, const Point& po
         const std::optional<double> turning =
             point.feed_deg_min ? point.feed_deg_min : before.feed_deg_min.value();
         if (turning) return Feed{*turning, true};
-        if (feed) return Feed{*feed, true};  // as controllers take it: one F for both
+        if (feed) return Feed{*feed, true};  // as controllers do: one F for both
     }
     if (!feed) return std::nullopt;
     const double per_rev =
@@ -190,7 +190,7 @@ std::optional<Walk::Feed> Walk::feed_of(const TipMotion& motion, const Point& po
 }
 
 std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, const State& before) {
-    // Where the way to the point is not known, it is taken for a line of some length.
+    // An unknown path to the point is taken for a line of some length.
     const bool start_is_known = before.position_mm.value().has_value();
     const bool rotary_alone = start_is_known && motion.length_mm() < options_.resolution_mm / 2;
     if (point.duration_s && !start_is_known) {
@@ -221,7 +221,7 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
     }
     if (motion.arc()) {
         if (!is_worth_an_arc(*motion.arc(), options_) && (!space_.coupled() || motion.turn_deg() == 0)) {
-            // The program's numbers say no more of such an arc.
+            // The program's numbers cannot express more of such an arc.
             lines(motion, *feed, std::min(options_.tolerance_mm, options_.resolution_mm / 2));
             return std::nullopt;
         }
@@ -249,7 +249,7 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
     return std::nullopt;
 }
 
-// Where it is not known how the axes come to a sub-path, there is no other way.
+// Accepts a line if it is unknown how the axes come to a sub-path, because no other motion is possible.
 bool Walk::is_one_line(const TipMotion& motion, bool start_is_known) {
     const bool rotary_is_known = rotary_.size() == static_cast<Eigen::Index>(space_.rotary_count());
     if (start_is_known && rotary_is_known) return motion.is_line_of_axes(options_.tolerance_mm);
@@ -266,8 +266,8 @@ bool Walk::prints_same(const Vector3d& a, const Vector3d& b) const {
         .all();
 }
 
-// A feed is of the tip, or of the rotary axes where the tip stands; where they are coupled the axes go
-// another length, and a controller takes F as mm of X, Y and Z if any of them moves.
+// Converts a feed, which is that of the TCP, or of the rotary axes if the TCP is at standstill. Coupled axes
+// move another length, and a controller takes F as mm of X, Y and Z if any of them moves.
 Walk::Feed Walk::feed_of_axes(const TipMotion& motion, double from, double to, const Feed& feed) const {
     const double turn_deg = motion.turn_deg() * (to - from);
     if (!space_.coupled() || turn_deg == 0) return feed;
@@ -278,7 +278,7 @@ Walk::Feed Walk::feed_of_axes(const TipMotion& motion, double from, double to, c
     return {(end - start).norm() / minutes, false, feed.duration_s};
 }
 
-// A feed move of a share of the motion.
+// Returns a feed move for a share of the motion.
 AxisMove Walk::feed_move(const AxisValues& axes, const Feed& feed, double share) const {
     AxisMove move{axes, false, std::nullopt, feed.per_min, feed.rotary};
     if (feed.duration_s) move.duration_s = *feed.duration_s * share;
@@ -327,7 +327,7 @@ bool Walk::arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfAr
     return pieces > 0;
 }
 
-// With the jet off, so that it does not cut a hole where it stands.
+// Turns the jet off, so that it does not cut a hole at standstill.
 std::optional<Fault> Walk::unwind(std::size_t target, const AxisValues* to, const State& at) {
     if (to == nullptr) return std::nullopt;
     target_ = target;
@@ -336,7 +336,7 @@ std::optional<Fault> Walk::unwind(std::size_t target, const AxisValues* to, cons
     sink_.note(here(), jet ? "the rotary axes unwind, with the jet off" : "the rotary axes unwind");
     if (abrasive) sink_.action("abrasive_off");
     if (jet) sink_.action("waterjet_off");
-    // A tip that is off the axes would swing about them, through the work.
+    // A TCP off the axes would otherwise swing about them, through the work.
     const Vector3d tip = to_eigen(*at.position_mm.value());
     const TipMotion turn(space_, tip, tip, rotary_, *to, std::nullopt);
     std::optional<Fault> beyond;
@@ -351,7 +351,7 @@ std::optional<Fault> Walk::unwind(std::size_t target, const AxisValues* to, cons
     return beyond;
 }
 
-// A call, or one for each repeat where the axes unwind in between.
+// Writes one call, or one for each repeat if the axes unwind in between.
 std::optional<Fault> call(const SubPath& sub_path, std::size_t target, const PathTurns& turns,
                           const State& behind, Walk& walk, MoveSink& sink) {
     const AxisValues* to = turns.between_repeats(target);

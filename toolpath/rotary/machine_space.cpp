@@ -22,13 +22,13 @@ using machine::AxisKind;
 constexpr double kUncoupled_mm = 1e-9;
 constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
 
-// What rounding leaves of zero would show as -0.000.
+// Clears rounding errors of zero, which would show as -0.000.
 double cleaned(double value) {
     return std::abs(value) < 1e-10 ? 0.0 : value;
 }
 
-// That rotation, turned the shortest way (not by Eigen's FromTwoVectors(), which takes three seconds to
-// compile) so that Z goes in a direction of length 1.
+// Returns that rotation, turned by the smallest angle, so that Z points in a direction of length 1. Eigen's
+// FromTwoVectors() is avoided, because it takes three seconds to compile.
 Eigen::Matrix3d turned_to_axis(const Eigen::Matrix3d& rotation, const Vector3d& direction) {
     const Vector3d z = rotation.col(2);
     const Vector3d across = z.cross(direction);
@@ -72,7 +72,7 @@ tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machin
     return space;
 }
 
-// The tip is an affine function of the linear axes, for any position of the rotary ones.
+// Relies on the TCP being an affine function of the linear axes, for any values of the rotary ones.
 void MachineSpace::study() {
     const auto affine = [this](const AxisValues& rotary, Vector3d& origin) {
         AxisValues at = with_rotary(rotary);
@@ -131,7 +131,7 @@ AxisValues MachineSpace::home_rotary() const {
     return values;
 }
 
-// The linear axes are at 0, others at home.
+// Leaves the linear axes at 0 and others at home.
 AxisValues MachineSpace::with_rotary(const AxisValues& rotary) const {
     AxisValues values = home();
     for (const std::size_t axis : linear_) values[static_cast<Eigen::Index>(axis)] = 0;
@@ -167,8 +167,9 @@ Vector3d MachineSpace::linear(const AxisValues& axes) const {
             axes[static_cast<Eigen::Index>(linear_[2])]};
 }
 
-// Of an orientation that is an axis alone, the turn about it is that of `from` as far as can be: another one,
-// which the inverse kinematics may reach exactly, would draw them away from what is near.
+// Keeps the rotation about the tool axis as in `from`, as far as possible, if the orientation is only an
+// axis. Another rotation, which the inverse kinematics may reach exactly, would draw the axes away from
+// nearby values.
 rrs::CartPos MachineSpace::pose_for(const Vector3d& tip_mm, const Orientation& orientation,
                                     const rrs::JointPos& from) const {
     rrs::CartPos pose;

@@ -14,13 +14,13 @@
 
 namespace gsim::path {
 
-/// Values of axes as programs give them, mm or deg: of all axes, or of the rotary ones in their order.
+/// Axis values as programs give them, mm or deg: of all axes, or of the rotary ones in their order.
 using AxisValues = rrs::JointPos;
 
-/// A machine as a path sees it: three linear axes X, Y and Z place the tip, rotary axes turn the tool.
+/// Machine as a path sees it: three linear axes X, Y and Z position the TCP, rotary axes turn the tool.
 class MachineSpace {
   public:
-    /// `machine` must outlive this. The error is a sentence.
+    /// Makes it; `machine` must outlive this. The error is a message.
     static tl::expected<MachineSpace, std::string> make(const machine::Machine& machine);
 
     const machine::Machine& machine() const { return *machine_; }
@@ -29,34 +29,34 @@ class MachineSpace {
     AxisValues home_rotary() const;
     AxisValues home() const;
 
-    /// Whether turning a rotary axis moves the linear ones while the tip stays where it is.
+    /// Returns true if turning a rotary axis moves the linear ones while the TCP stays.
     bool coupled() const { return coupled_; }
-    /// All axes with the tip at `tip_mm` and the rotary axes at these values.
+    /// Returns all axis values with the TCP at `tip_mm` and these rotary values.
     AxisValues axes(const Eigen::Vector3d& tip_mm, const AxisValues& rotary) const;
-    /// Where the tip of the tool is then, in the work frame.
+    /// Returns the TCP at these values, in the work frame.
     Eigen::Vector3d tip(const AxisValues& axes) const;
-    /// Joint values, mm or rad.
+    /// Returns joint values, mm or rad.
     rrs::JointPos joints(const AxisValues& axes) const;
-    /// Where the tool points up to, a unit vector.
+    /// Returns the upward direction of the tool axis, a unit vector.
     Eigen::Vector3d tool_axis(const AxisValues& axes) const;
-    /// X, Y and Z of them.
+    /// Returns their X, Y and Z.
     Eigen::Vector3d linear(const AxisValues& axes) const;
 
-    /// Rotary values for a tool axis or a whole orientation with the tip there: what the inverse kinematics
-    /// give near `near` and near its mirror images (the turning axis half a turn further, the tilt the other
-    /// way). Whole turns are as they come. The error is a sentence.
+    /// Returns rotary values for a tool axis or a full orientation with the TCP there. These are the results
+    /// of the inverse kinematics near `near` and near its mirror images (turning axis half a turn further,
+    /// tilt in the other direction). Full turns are as they come. The error is a message.
     tl::expected<std::vector<AxisValues>, std::string> rotary_for(const Vector& tip_mm,
                                                                   const Orientation& orientation,
                                                                   const AxisValues& near) const;
 
-    /// Which axis is out of its range, as a sentence; empty if none is.
+    /// Returns a message about an axis out of its range; empty if all are within.
     std::string range_fault(const AxisValues& axes) const;
-    /// The same where the values are counted from another place of X, Y and Z; without it those of X, Y and Z
-    /// are not looked at.
+    /// Returns the same for values that are counted from another origin of X, Y and Z; without it those of X,
+    /// Y and Z are not checked.
     std::string range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const;
-    /// The same of machine coordinates of some axes, by letter.
+    /// Returns the same for machine coordinates of some axes, by letter.
     std::string range_fault(const std::map<char, double>& axes) const;
-    /// The end of Z above the work; none where it has none.
+    /// Returns the end of Z above the work; nullopt if it has none.
     std::optional<double> top_mm() const;
 
   private:
@@ -72,7 +72,7 @@ class MachineSpace {
     std::vector<std::size_t> rotary_;
     bool coupled_ = true;
     Eigen::Vector3d tip_at_zero_ = Eigen::Vector3d::Zero();    // with the linear axes at 0
-    Eigen::Matrix3d to_linear_ = Eigen::Matrix3d::Identity();  // from the tip's way to X, Y and Z
+    Eigen::Matrix3d to_linear_ = Eigen::Matrix3d::Identity();  // from TCP travel to X, Y and Z
 };
 
 }  // namespace gsim::path

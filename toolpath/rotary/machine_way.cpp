@@ -17,7 +17,7 @@ MachineWay way_to(const MachinePoint& point, std::optional<double> up_mm) {
     const bool leads_up = !is_known || (!z.empty() && up_mm && z.begin()->second >= *up_mm - kSameHeight_mm);
 
     MachineWay way;
-    way.reference = point.kind == MachinePoint::Kind::reference ? point.number : 0;  // 0 where it has a name
+    way.reference = point.kind == MachinePoint::Kind::reference ? point.number : 0;  // 0 if it has a name
     way.from_above = !leads_up;
     for (auto* step : {leads_up ? &z : &across, leads_up ? &across : &z}) {
         if (!step->empty()) way.steps.push_back(std::move(*step));

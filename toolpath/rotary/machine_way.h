@@ -8,18 +8,18 @@
 
 namespace gsim::path {
 
-/// A way to a place of the machine, in machine coordinates.
+/// Path to a position of the machine, in machine coordinates.
 struct MachineWay {
-    int reference = 0;  ///< Above 0: a reference point, to which the control goes by its own word for it.
-    bool from_above = false;  ///< The tool goes up first, as to be changed.
-    /// The axes that go there by a rapid, one step after the other, by letter, mm or deg. Of a reference
-    /// point that nobody knows the letters alone count.
+    int reference = 0;  ///< Above 0: a reference point, which the controller approaches by a special word.
+    bool from_above = false;  ///< The tool moves up first, as for a change.
+    /// Axes that move there by a rapid, one step after the other, by letter, mm or deg. For an unknown
+    /// reference point only the letters count.
     std::vector<std::map<char, double>> steps = {};
 };
 
-/// The way to a point whose coordinates are filled in, as far as they are known. What lies between nobody
-/// knows: Z goes first where that leads up, to `up_mm` or higher, else last, from there. The Z of a reference
-/// point that nobody knows is taken to be up.
+/// Returns the path to a point with its coordinates filled in, as far as they are known. The space in between
+/// is unknown, so Z moves first if that leads up, to `up_mm` or higher, otherwise last, from there. The Z of
+/// an unknown reference point is taken to be up.
 MachineWay way_to(const MachinePoint& point, std::optional<double> up_mm);
 
 }  // namespace gsim::path

@@ -28,7 +28,7 @@ bool MergedLines::turns(const AxisMove& move) const {
     return false;
 }
 
-// Whether a line from the start to `end` runs through a point.
+// Returns true if a line from the start to `end` runs through a point.
 bool MergedLines::is_between(const AxisValues& point, const AxisValues& end) const {
     const AxisValues way = end - start_;
     const double share = (point - start_).dot(way) / way.squaredNorm();
@@ -55,7 +55,7 @@ bool MergedLines::goes_on(const AxisMove& move) const {
                        [&](const AxisValues& point) { return is_between(point, move.axes); });
 }
 
-// Of very many each second one is enough to see a bend.
+// Drops every second one of very many points: the remaining ones still show a curvature.
 void MergedLines::pass(const AxisValues& point) {
     passed_.push_back(point);
     if (passed_.size() < kMostPassed) return;

@@ -7,16 +7,16 @@
 
 namespace gsim::path {
 
-/// Passes moves on, and lines of turning axes that go on with each other, in the same direction at the same
-/// feed, as one: what is recorded from a machine whose tip moves when axes turn is many short ways of the
-/// tip, but one of the axes. The motion stays what it was, to a tenth of the program's digits.
+/// Sink that passes moves on, and merges consecutive lines of turning axes, in the same direction at the same
+/// feed, into one. A recording of a machine with a TCP that moves when axes turn has many short TCP paths,
+/// but only one of the axes. The motion stays the same, to a tenth of the program's digits.
 class MergedLines final : public MoveSink {
   public:
-    /// What is given must outlive this.
+    /// All arguments must outlive this.
     MergedLines(MoveSink& sink, const MachineSpace& space, const MoveOptions& options)
         : sink_(sink), space_(space), slack_mm_(options.resolution_mm / 10) {}
 
-    /// Passes on what is left; needed behind the last move.
+    /// Passes on the remainder; needed after the last move.
     void finish() { flush(); }
 
     void move(const AxisMove& move) override;
@@ -40,7 +40,7 @@ class MergedLines final : public MoveSink {
     MoveSink& sink_;
     const MachineSpace& space_;
     double slack_mm_;
-    std::optional<AxisValues> at_;    // behind the last move; none behind a call
+    std::optional<AxisValues> at_;    // after the last move; nullopt after a call
     std::optional<AxisMove> line_;    // kept back
     AxisValues start_;                // of line_
     std::vector<AxisValues> passed_;  // points that line_ runs through

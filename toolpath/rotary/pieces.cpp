@@ -44,8 +44,8 @@ double TipMotion::length_mm() const {
     return std::hypot(arc_->radius_mm() * arc_->turn_rad, arc_->rise_mm);
 }
 
-// Into how many parts a stretch falls in which neither the arc nor an axis that moves the tip turns more than
-// a quarter.
+// Returns the number of parts of a stretch in which neither the arc nor an axis that moves the TCP turns more
+// than a quarter.
 int TipMotion::quarters(double from, double to) const {
     double most = arc_ ? arc_->turn_rad / kQuarter_rad : 0;
     if (space_.coupled() && end_rotary_.size() > 0) {
@@ -54,8 +54,8 @@ int TipMotion::quarters(double from, double to) const {
     return std::max(1, static_cast<int>(std::ceil(most * (to - from) - 1e-9)));
 }
 
-// How far the axes' way is off the straight line between two of its points, looked at four times in each
-// quarter turn.
+// Returns the deviation of the axes' path from the straight line between two of its points, checked four
+// times in each quarter turn.
 double TipMotion::deviation(double from, double to) const {
     const Vector3d first = space_.linear(at(from));
     const Vector3d last = space_.linear(at(to));
@@ -71,8 +71,7 @@ double TipMotion::deviation(double from, double to) const {
 
 bool TipMotion::tilts_over_the_upright() const {
     constexpr double kLeast_rad = 1e-3;
-    constexpr double kMostOfEnds =
-        0.7;  // on the shortest way between two axes a quarter turn apart it is that
+    constexpr double kMostOfEnds = 0.7;  // value on the shortest path between two axes a quarter turn apart
     if (!arc_ || turn_deg() == 0) return false;
     const auto lean_rad = [&](double share) {
         const Vector3d axis = space_.tool_axis(at(share));
@@ -129,7 +128,7 @@ std::optional<AxisArc> TipMotion::axis_arc(double from, double to, double tolera
     arc.center_offset_mm = {offset.x(), offset.y(), offset.z()};
     if (!space_.coupled() || turn_deg() == 0) return arc;
 
-    // Where turning moves the linear axes, what they run through is an arc by chance only.
+    // If turning moves the linear axes, their path is an arc by chance only.
     const Vector3d end = space_.linear(at(to));
     const double sense = arc.counterclockwise ? 1 : -1;
     const Vector3d axis = sense * Vector3d::Unit(about);

@@ -8,10 +8,10 @@
 
 namespace gsim::path {
 
-/// One motion of the tip with the rotary axes in proportion to it.
+/// One motion of the TCP with the rotary axes in proportion to it.
 class TipMotion {
   public:
-    /// A line, or an arc where `arc` is there. `start_rotary` may be empty: then it is as at the end.
+    /// Makes a line, or an arc if `arc` is given. `start_rotary` may be empty: then it is as at the end.
     TipMotion(const MachineSpace& space, const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm,
               const AxisValues& start_rotary, const AxisValues& end_rotary, std::optional<ArcShape> arc);
 
@@ -20,18 +20,18 @@ class TipMotion {
     const std::optional<ArcShape>& arc() const { return arc_; }
     double turn_deg() const;
 
-    /// Whether the tool leans against an arc's normal at both of its ends and hardly between them: whoever
-    /// leans a tool along an arc means it to turn with it.
+    /// Returns true if the tool tilts against an arc's normal at both of its ends but hardly between them. A
+    /// tool that tilts along an arc is meant to turn with it.
     bool tilts_over_the_upright() const;
-    /// Whether a single linear move of the axes keeps the tip within the tolerance of the line.
+    /// Returns true if a single linear move of the axes keeps the TCP within the tolerance of the line.
     bool is_line_of_axes(double tolerance_mm) const;
-    /// The arc of the axes from one share to another, if that is one in a plane of the axes, within the
+    /// Returns the arc of the axes from one share to another, if it is one in a plane of the axes, within the
     /// tolerance.
     std::optional<AxisArc> axis_arc(double from, double to, double tolerance_mm) const;
-    /// The arc of the axes from one share to another in an oblique plane, told by the point halfway; none of
-    /// a helix, and where turning axes move the linear ones.
+    /// Returns the arc of the axes from one share to another in an oblique plane, defined by the point
+    /// halfway; nullopt for a helix, and if turning axes move the linear ones.
     std::optional<AxisArc> oblique_arc(double from, double to, double tolerance_mm) const;
-    /// Calls `piece` with the shares at which lines between them keep within the tolerance, the last is 1.
+    /// Calls `piece` with the shares at which lines between them keep within the tolerance; the last is 1.
     void cut(double tolerance_mm, const std::function<void(double share)>& piece) const;
 
   private:

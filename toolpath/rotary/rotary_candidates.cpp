@@ -24,8 +24,8 @@ void add_new(std::vector<AxisValues>& list, const AxisValues& values) {
     if (std::none_of(list.begin(), list.end(), same)) list.push_back(values);
 }
 
-// The values of one axis that differ from `value` in whole turns and lie in its range; of an endless axis,
-// the one nearest to `near`.
+// Returns the values of one axis that differ from `value` in full turns and lie in its range; for an endless
+// axis, the one nearest to `near`.
 std::vector<double> in_range(const machine::Axis& axis, double value, double near) {
     std::vector<double> found;
     if (axis.max - axis.min > kManyTurns_deg) {
@@ -39,7 +39,7 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
     return found;
 }
 
-// Axes that are not named stay as they are.
+// Leaves axes that are not named unchanged.
 tl::expected<AxisValues, std::string> given_values(const MachineSpace& space, const RotaryAxes& given,
                                                    const AxisValues& before) {
     AxisValues values = before;
@@ -103,7 +103,7 @@ tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const Machi
     std::vector<AxisValues> looked_at;
     std::optional<AxisValues> beyond;
     for (const AxisValues& near : before) {
-        // Whole turns of what is before lead to the same solutions; an endless axis follows each.
+        // Full turns of the previous values lead to the same solutions; an endless axis follows each.
         const auto same_turn = [&](const AxisValues& each) {
             return least_turn_between(each, near) < kSameStance_deg;
         };

@@ -4,7 +4,7 @@ namespace gsim::path {
 
 namespace {
 
-/// What the users of one path hand over.
+/// Values that the users of one path pass on.
 struct Entry {
     std::optional<AxisValues> rotary;
     bool handed_over = false;

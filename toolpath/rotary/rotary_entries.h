@@ -7,8 +7,8 @@
 
 namespace gsim::path {
 
-/// Where the rotary axes stand when each path begins; none where that is not known (the root) or where the
-/// places that use it leave them differently.
+/// Returns the rotary axis values at the start of each path; nullopt if they are unknown (the root), or if
+/// the uses of the path leave different ones.
 std::vector<std::optional<AxisValues>> rotary_entries(const Program& program, const States& states,
                                                       const std::vector<PathTurns>& turns);
 

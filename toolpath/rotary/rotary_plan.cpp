@@ -16,24 +16,24 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSameTurn_deg = 1e-6;
-// What a turn on the spot costs beyond its angle: little with the jet off, more than any turning while
-// cutting.
+// Cost of a turn on the spot beyond its angle: little with the jet off, more than any turn while cutting.
 constexpr double kStopIdle_deg = 1;
 constexpr double kStopCutting_deg = 1e7;
-// The first point of a path is nowhere near anything; axes near home have room both ways.
+// Weight of the first point of a path, which has no predecessor; axes near home can turn in both directions.
 constexpr double kHomeShare = 1e-3;
-// A sub-path begins within half a turn of home, so that the axes can come there the short way from anywhere.
+// Cost that keeps the start of a sub-path within half a turn of home, so that the axes can reach it by the
+// short turn from anywhere.
 constexpr double kFarEntry_deg = 1e9;
-constexpr int kMostUnwound = 1000;  // repeats that are calls of their own, since the axes unwind in between
+constexpr int kMostUnwound = 1000;  // repeats that are separate calls, because the axes unwind in between
 
-// The search through one path: of each target the candidates, and which one before led to each.
+// Search through one path: the candidates of each target, and the predecessor of each.
 class Search {
   public:
     explicit Search(std::size_t rotary_count) : rotary_count_(rotary_count) {}
 
-    /// Where the axes may stand; empty before the first target that says so.
+    /// Returns the possible axis values; empty before the first target that sets them.
     const std::vector<AxisValues>& now() const { return now_; }
-    /// A target at the beginning leaves the axes as they come.
+    /// Counts a target at the beginning that leaves the axes as they are.
     void pass() { ++unknown_; }
 
     void begin(std::vector<AxisValues> candidates, const AxisValues& home, bool near_home) {
@@ -47,8 +47,8 @@ class Search {
         add_layer(std::move(candidates), from);
     }
 
-    /// Goes on to the candidates of the next target; before, the axes may turn on the spot. False where no
-    /// candidate can be reached by the short way that cutting demands.
+    /// Advances to the candidates of the next target; before, the axes may turn on the spot. Returns false if
+    /// no candidate can be reached by the short turn that cutting demands.
     bool step(std::vector<AxisValues> candidates, bool cutting, double stop_cost) {
         turn_on_the_spot(stop_cost);
         std::vector<double> next(candidates.size(), kNever);
@@ -67,7 +67,7 @@ class Search {
         return *std::min_element(cost_.begin(), cost_.end()) < kNever;
     }
 
-    /// The target was a sub-path with one candidate, and leaves the axes at the first of these; to the others
+    /// Ends a sub-path with one candidate, which leaves the axes at the first of these values; to the others
     /// they may turn on the spot.
     void leave(std::vector<AxisValues> values) {
         values_.resize(values_.size() - rotary_count_);
@@ -122,7 +122,7 @@ class Search {
     std::size_t unknown_ = 0;
     std::vector<AxisValues> now_;
     std::vector<double> cost_;         // of each of now_
-    std::vector<std::size_t> layers_;  // where each target's candidates begin
+    std::vector<std::size_t> layers_;  // start of each target's candidates
     std::vector<double> values_;       // of all candidates
     std::vector<std::uint8_t> from_;   // which candidate before leads here
     std::vector<std::uint8_t>
@@ -190,7 +190,7 @@ class Planner {
         return std::nullopt;
     }
 
-    // None of a path that leaves the axes as they come.
+    // Returns nullopt for a path that leaves the axes as they are.
     std::optional<AxisValues> entry_of(std::size_t path) const {
         const std::vector<Target>& targets = program_.paths[path].targets;
         const std::size_t first = turns_[path].unknown;
@@ -202,7 +202,7 @@ class Planner {
     bool cuts(const Point& point, const State& before) const {
         return is_cutting(point, before, jet_) && !options_.as_given;
     }
-    // Whether a sub-path begins with a motion at which the tool cuts.
+    // Returns true if a sub-path begins with a motion at which the tool cuts.
     bool cuts_into(const SubPath& use, const State& before) const {
         const Target& first = program_.paths[use.path].targets.front();
         if (const auto* inner = std::get_if<SubPath>(&first)) return cuts_into(*inner, before);
@@ -228,7 +228,8 @@ class Planner {
         return std::nullopt;
     }
 
-    // Where the sub-path begins while the tool cuts, the axes come to its beginning by the short way too.
+    // Checks that the axes also return to the start of the sub-path by the short turn, if it starts while the
+    // tool cuts.
     MaybeFault check_repeats(const State& before, const SubPath& sub_path, const TargetId& id) {
         const AxisValues& entry = *entries_[sub_path.path];
         const AxisValues exit = exit_of(sub_path.path);
@@ -250,14 +251,14 @@ class Planner {
         return std::nullopt;
     }
 
-    // The axes stay as they are, wherever that is.
+    // Keeps the axes as they are, whatever their values.
     MaybeFault stay(Search& search, const State& state, const TargetId& id) {
         if (!search.now().empty()) return advance(search, state, false, search.now(), id);
         search.pass();
         return std::nullopt;
     }
 
-    // It turns the axes that it names.
+    // Turns the axes that the point names.
     MaybeFault go_to(Search& search, const State& state, const MachinePoint& point, const TargetId& id) {
         std::size_t named = 0;
         for (std::size_t i = 0; i < space_.rotary_count(); ++i)
@@ -342,7 +343,7 @@ class Planner {
     const RotaryOptions& options_;
     bool jet_;
     std::vector<PathTurns> turns_;
-    std::vector<std::optional<AxisValues>> entries_;  // where each path begins
+    std::vector<std::optional<AxisValues>> entries_;  // at the start of each path
     std::vector<PathTurns::Unwinding> between_;       // of the path being planned
 };
 

@@ -9,20 +9,20 @@
 
 namespace gsim::path {
 
-/// Where the rotary axes stand on one path.
+/// Rotary axis values on one path.
 class PathTurns {
   public:
     explicit PathTurns(std::size_t rotary_count = 0) : count_(rotary_count) {}
 
-    /// Whether the axes stand at values of this path behind a target; else they stand as they did before it:
-    /// so far there were fixed or reference points alone, which name no rotary axis.
+    /// Returns true if the axes are at values of this path after a target. Otherwise they are as before it:
+    /// so far only fixed or reference points came, which name no rotary axis.
     bool knows(std::size_t target) const { return target >= unknown; }
-    /// The rotary values on arrival at a target that it knows; of a sub-path, behind it.
+    /// Returns the rotary values on arrival at a target that it knows; for a sub-path, after it.
     AxisValues at(std::size_t target) const;
-    /// Where the axes turn once a target is done, if they have to before they go on.
+    /// Returns the values to which the axes turn after a target, if they have to before they move on.
     const AxisValues* unwinding(std::size_t target) const;
 
-    /// Where they turn between two runs of a repeated sub-path, if they have to.
+    /// Returns the values to which they turn between two runs of a repeated sub-path, if they have to.
     const AxisValues* between_repeats(std::size_t target) const;
 
     struct Unwinding {
@@ -30,7 +30,7 @@ class PathTurns {
         AxisValues to;
     };
     std::size_t unknown = 0;            ///< So many targets at the beginning leave the axes as they come.
-    std::vector<double> values;         ///< Of all targets behind these, one behind the other.
+    std::vector<double> values;         ///< Values of all targets after these, one after the other.
     std::vector<Unwinding> unwindings;  ///< By target.
     std::vector<Unwinding> between;     ///< By target; of repeated sub-paths.
 
@@ -42,21 +42,21 @@ class PathTurns {
 
 struct RotaryOptions {
     bool as_given =
-        false;  ///< rotary_deg is what the axes go to, not an orientation that whole turns may lead to.
+        false;  ///< rotary_deg gives axis positions, not an orientation that full turns may lead to.
 };
 
-/// Chooses, of all rotary values that give each point's orientation within the axes' ranges, those that turn
-/// least over the whole of a path (dynamic programming over the points). While the tool cuts, axes go the
-/// short way; where their ranges do not allow it, the tool stops and the axes unwind, as seldom as can be.
-/// Each path is planned for itself, since all its users share it. One PathTurns for each path.
+/// Chooses from all rotary values that give each point's orientation within the axes' ranges: those that turn
+/// least over the complete path (dynamic programming over the points). While the tool cuts, axes take the
+/// short turn. If their ranges do not allow it, the tool stops and the axes unwind, as seldom as possible.
+/// Each path is planned by itself, because all its users share it. Returns one PathTurns for each path.
 tl::expected<std::vector<PathTurns>, Fault> plan_rotary(const Program& program, const MachineSpace& space,
                                                         const States& states, const RotaryOptions& options);
 
-/// Whether a point is reached while the tool cuts: its motion is at feed, and the waterjet is on or the
-/// program has none.
+/// Returns true if a point is reached while the tool cuts: its motion is at feed, and the waterjet is on or
+/// the program has none.
 bool is_cutting(const Point& point, const State& before, bool program_has_jet);
 
-/// Whether any action of the program turns a waterjet on.
+/// Returns true if any action of the program turns a waterjet on.
 bool has_jet(const Program& program);
 
 }  // namespace gsim::path

@@ -65,7 +65,7 @@ class ChainReader {
         return {};
     }
 
-    // With the face of the edge's two that looks to the side most, of those below which a jet could go.
+    // Uses the one of the edge's two faces that faces the side most, of those below which a jet could pass.
     tl::expected<EdgeAlone, std::string> walk_along(const ContourWalk& walk, const TopoDS_Edge& edge,
                                                     const FacesOfEdges& faces_of,
                                                     std::vector<TopoDS_Face>& entered) const {
@@ -108,7 +108,7 @@ class ChainReader {
         return curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
     }
 
-    // How far a face looks to the side beside an edge, -1 to 1, on the average.
+    // Returns how much a face faces the side next to an edge, -1 to 1, on average.
     double look_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const {
         const BRepAdaptor_Curve2d curve(edge, face);
         const double sense = options_.side.front() == '-' ? -1 : 1;
@@ -136,8 +136,8 @@ class ChainReader {
         return {};
     }
 
-    // All edges of the body but those that are cut and the other ends of the walls below them, along which
-    // the jet goes.
+    // Adds all edges of the body except those that are cut and the lower ends of their walls, along which the
+    // jet runs.
     void add_others(const std::vector<TopoDS_Edge>& cut, const std::vector<TopoDS_Face>& entered,
                     const FacesOfEdges& faces_of) {
         TopTools_MapOfShape own, above, walls;

@@ -10,8 +10,8 @@
 
 namespace gsim::solid {
 
-/// The edges that were asked for by their numbers, in chains, and what else of their bodies a jet could come
-/// into. `bodies` are those of the file; the box about them is left to the caller. The error is a sentence.
+/// Returns the edges requested by their numbers, in chains, and other edges of their bodies that a jet could
+/// hit. `bodies` are those of the file; the caller computes their bounding box. The error is a message.
 tl::expected<WallContours, std::string> chains_of(const ShapeFile& file, const Bodies& bodies,
                                                   const ContourOptions& options);
 

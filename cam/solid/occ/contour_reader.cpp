@@ -30,10 +30,10 @@ using Fault = tl::unexpected<std::string>;
 struct Candidate {
     TopoDS_Face face;
     FaceLoop loop;
-    double area_mm2 = 0;  ///< Of the face.
+    double area_mm2 = 0;  ///< Area of the face.
 };
 
-// How far a face looks to a side, -1 to 1, on the average along a loop.
+// Returns how much a face faces a side, -1 to 1, on average along a loop.
 double look_of(const WallContour& contour, std::string_view side) {
     const double sense = side.front() == '-' ? -1 : 1;
     const auto axis = static_cast<std::size_t>(side.back() - 'x');
@@ -84,7 +84,7 @@ class Reader {
         edges_.find_in(solid);
         TopTools_MapOfShape walls;
         for (const Candidate& candidate : candidates(solid)) {
-            // What is cut along is not cut into as well.
+            // A face along which the jet cuts is not entered as well.
             if (options_.faces.empty() && walls.Contains(candidate.face)) continue;
             auto contour = walk.walk(candidate.face, candidate.loop);
             if (!contour) {
@@ -107,7 +107,7 @@ class Reader {
         return {};
     }
 
-    // Those that are chosen: holes first, and those of large faces, for walls are small.
+    // Returns the selected loops: holes first, and those of large faces, because walls are small.
     std::vector<Candidate> candidates(const TopoDS_Solid& solid) {
         std::vector<Candidate> found;
         for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -128,7 +128,7 @@ class Reader {
         return found;
     }
 
-    // A loop that is no contour is told, unless its face was asked for: then it is refused.
+    // Reports a loop that is not a contour, or returns an error if its face was requested.
     tl::expected<void, std::string> leave_out(const Candidate& candidate, const std::string& why) {
         if (!looks_there(candidate.face)) return {};
         std::string sentence = fmt::format("{} of {} {}", candidate.loop.is_hole ? "a hole" : "the outline",
@@ -140,7 +140,7 @@ class Reader {
         return {};
     }
 
-    // By one normal: of loops that are no contours there is no more.
+    // Uses one normal, because loops that are not contours have no others.
     bool looks_there(const TopoDS_Face& face) const {
         double u_low = 0, u_high = 0, v_low = 0, v_high = 0;
         BRepTools::UVBounds(face, u_low, u_high, v_low, v_high);
@@ -177,7 +177,7 @@ class Reader {
     std::map<std::string, bool> asked_;
 };
 
-// About all bodies.
+// Sets the box about all bodies.
 void put_box(const Bodies& bodies, WallContours& contours) {
     Bnd_Box box;
     for (const TopoDS_Solid& solid : bodies.solids) BRepBndLib::AddOptimal(solid, box, false, false);

@@ -9,7 +9,7 @@
 
 namespace gsim::solid {
 
-/// The contours of the bodies of a file, as the options choose them. The error is a sentence.
+/// Returns the contours of the bodies of a file, as the options select them. The error is a message.
 tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options);
 
 }  // namespace gsim::solid

@@ -21,7 +21,7 @@ class Chainer {
             if (auto fault = find_branch(edge.end)) return tl::unexpected(*std::move(fault));
         }
         std::vector<EdgeChain> chains;
-        // Open ones first: what is left goes round.
+        // Open chains come first, so the remaining ones are closed.
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (count(edges_[i].begin, &EdgeAlone::end) == 0) chains.push_back(follow(i));
         }

@@ -8,17 +8,16 @@
 
 namespace gsim::solid {
 
-/// Edges one behind the other; closed where the last ends where the first begins.
+/// Consecutive edges; closed if the last ends at the beginning of the first.
 struct EdgeChain {
     std::vector<std::size_t> edges;  ///< Indices.
     bool is_closed = false;
 };
 
-/// Joins edges where the end of one is the begin of another. The error is a sentence: three of them that
-/// meet.
+/// Joins edges if the end of one is the beginning of another. The error is a message: three edges that meet.
 tl::expected<std::vector<EdgeChain>, std::string> chain(const std::vector<EdgeAlone>& edges);
 
-/// Whether the way round a closed chain has its waste within: seen from outside, it goes round clockwise.
+/// Returns true if a closed chain has its waste inside: seen from outside, it runs clockwise.
 bool is_hole(const WallContour& closed);
 
 }  // namespace gsim::solid

@@ -12,7 +12,7 @@ namespace gsim::solid {
 
 namespace {
 
-// "#95" as messages have it, or 95.
+// Returns true for "#95" as in messages, or 95.
 bool is_number(const std::string& label, const std::string& number) {
     return !label.empty() && (label == number || label.substr(1) == number);
 }

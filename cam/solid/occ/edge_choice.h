@@ -11,25 +11,25 @@
 
 namespace gsim::solid {
 
-/// Whether edges lie in a box, given by its low corner and its high one.
+/// Returns true if edges lie in a box, given by its low corner and its high one.
 bool lies_within(const std::vector<TopoDS_Edge>& edges, const std::array<double, 6>& box_mm);
 
-/// The edges that are asked for by their numbers in a file, and what becomes of each.
+/// The edges requested by their numbers in a file, and the result for each.
 class EdgeChoice {
   public:
     EdgeChoice(const ShapeFile& file, const std::vector<std::string>& numbers)
         : file_(file), numbers_(numbers) {}
 
-    /// None is asked for: any edge will do.
+    /// Returns true if none is requested, so any edge is accepted.
     bool takes_any() const { return numbers_.empty(); }
-    /// Looks for them in a body, and gives those that are in it.
+    /// Searches for them in a body, and returns those found.
     std::vector<TopoDS_Edge> find_in(const TopoDS_Shape& body);
-    /// Whether one of them is among these, or any will do.
+    /// Returns true if one of them is among these, or any is accepted.
     bool takes(const std::vector<TopoDS_Edge>& edges) const;
     void mark_cut(const std::vector<TopoDS_Edge>& edges);
-    /// Why a contour of these edges is none that is cut, in a sentence.
+    /// Stores the message why a contour of these edges is not cut.
     void mark_refused(const std::vector<TopoDS_Edge>& edges, const std::string& why);
-    /// The first one that the file has not, or that is of no contour that is cut, in a sentence.
+    /// Returns a message about the first one that is not in the file or not on a contour that is cut.
     std::optional<std::string> find_fault() const;
 
   private:
@@ -43,7 +43,7 @@ class EdgeChoice {
     const ShapeFile& file_;
     const std::vector<std::string>& numbers_;
     std::vector<Found> found_;
-    TopTools_DataMapOfShapeInteger indices_;  ///< Of edges, in found_.
+    TopTools_DataMapOfShapeInteger indices_;  ///< Indices of edges in found_.
 };
 
 }  // namespace gsim::solid

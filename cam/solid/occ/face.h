@@ -10,18 +10,18 @@
 
 namespace gsim::solid {
 
-/// "conical"
+/// Returns "conical" or the like.
 std::string kind_of(const TopoDS_Face& face);
-/// The middle of one of its edges.
+/// Returns the middle of one of its edges.
 gp_Pnt place_of(const TopoDS_Face& face);
-/// "the conical face #57 at (1, 2, 3)"
+/// Returns "the conical face #57 at (1, 2, 3)".
 std::string shown(const TopoDS_Face& face, const ShapeFile& file);
 
-/// The normal of a face that points out of its body; nothing where it has none.
+/// Returns the normal of a face that points out of its body; nothing if it has none.
 std::optional<gp_Dir> outward_normal(const TopoDS_Face& face, double u, double v);
 
-/// The plane of a plane face, also of one that is written as a spline surface, with an axis that points out
-/// of its body.
+/// Returns the plane of a plane face, including a plane written as a spline surface, with an axis that points
+/// out of its body.
 std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
 
 }  // namespace gsim::solid

@@ -32,7 +32,7 @@ OpenEdges edges_of_wire(const TopoDS_Shape& wire, const TopoDS_Face& face) {
     return found;
 }
 
-// Takes a loop out of edges; what does not close is no loop.
+// Removes a loop from the edges; edges that do not close are not a loop.
 std::vector<TopoDS_Edge> take_loop(std::vector<TopoDS_Edge>& rest) {
     std::vector<TopoDS_Edge> loop{rest.back()};
     rest.pop_back();
@@ -49,7 +49,8 @@ std::vector<TopoDS_Edge> take_loop(std::vector<TopoDS_Edge>& rest) {
     return loop;
 }
 
-// Whether a loop goes round a face that closes upon itself: then its parameters do not come back.
+// Returns true if a loop runs round a face that is closed in itself: then its parameters do not return to
+// their start.
 bool goes_round(const std::vector<TopoDS_Edge>& loop, const TopoDS_Face& face) {
     double u = 0;
     double v = 0;

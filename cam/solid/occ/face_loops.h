@@ -12,8 +12,8 @@ struct FaceLoop {
     bool is_hole = false;  ///< Within the face; else around it.
 };
 
-/// The loops of a face. A face that closes upon itself, as that of a cone, has a seam, which is left out: so
-/// a slot that crosses the seam is one loop, and so are both ends.
+/// Returns the loops of a face. A face that is closed in itself, such as that of a cone, has a seam, which is
+/// left out. So a slot that crosses the seam is one loop, and so are both ends.
 std::vector<FaceLoop> loops_of(const TopoDS_Face& face);
 
 }  // namespace gsim::solid

@@ -15,7 +15,7 @@ std::string_view without_end(std::string_view text) {
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-// ISO 10303-21, clause 5: comments may stand before the first word and behind the last one.
+// ISO 10303-21, clause 5: comments are allowed before the first word and after the last one.
 std::optional<std::string> find_step_fault(std::string_view text) {
     if (text.substr(0, 1000).find("ISO-10303-21") == std::string_view::npos)
         return "this is no STEP file: 'ISO-10303-21;' does not stand at its beginning";

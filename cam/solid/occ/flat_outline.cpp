@@ -20,7 +20,7 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-constexpr int kProbesOfCurve = 9;  // points of a curve that say where it lies
+constexpr int kProbesOfCurve = 9;  // points of a curve that define its position
 
 struct Probe {
     gp_Pnt point;
@@ -40,7 +40,7 @@ std::vector<Probe> probes_of(std::span<const TopoDS_Edge> edges) {
     return probes;
 }
 
-// The plane with the least sum of squares of distances; along Z where there are many.
+// Returns the normal of the plane with the least sum of squares of distances; along Z if several planes fit.
 gp_Dir normal_of(const std::vector<Probe>& probes, const Eigen::Vector3d& middle) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const Probe& probe : probes) {
@@ -67,7 +67,7 @@ PlateFrame frame_of(const std::vector<Probe>& probes, bool flip) {
     return {gp_Pnt(middle.x(), middle.y(), middle.z()), flip ? up.Reversed() : up};
 }
 
-// What the file calls an edge, or its number among those that are drawn.
+// Returns the file's name of an edge, or its number among the drawn edges.
 std::string name_of(const ShapeFile& file, const TopoDS_Edge& edge, std::size_t number) {
     const std::string label = file.label(edge);
     return label.empty() ? fmt::format("{}", number + 1) : label;
@@ -103,7 +103,7 @@ tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> fac
         if (!plane_of(face))
             return Fault(fmt::format("{} belongs to no closed body and is not plane", shown(face, file)));
     }
-    // An edge of two faces is within the sheet.
+    // An edge of two faces is inside the surface.
     TopTools_DataMapOfShapeInteger uses;
     std::vector<TopoDS_Edge> found;
     for (const TopoDS_Face& face : faces) {

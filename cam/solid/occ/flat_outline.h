@@ -12,11 +12,11 @@
 
 namespace gsim::solid {
 
-/// The outlines of surfaces that lie in one plane. The error is a sentence.
+/// Returns the outlines of surfaces that lie in one plane. The error is a message.
 tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
                                                 const PlateOptions& options);
 
-/// Curves that lie in one plane. The error is a sentence.
+/// Returns curves that lie in one plane. The error is a message.
 tl::expected<Plate, std::string> plate_of_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
                                                  const PlateOptions& options);
 

@@ -1,11 +1,11 @@
-// gsim-solid: reads a STEP or IGES file for the other programs and answers with a packet.
+// gsim-solid: reads a STEP or IGES file for the other programs and responds with a packet.
 //
 //     gsim-solid mesh FILE TOLERANCE-MM
 //     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies AXIS
 //     gsim-solid contours FILE TOLERANCE-MM holes|outlines|all SIDE walls|any "X Y Z X Y Z" [face:FACE |
 //     edge:EDGE ...]
 //
-// A packet begins with whether all went well; if not, a sentence follows.
+// A packet begins with a success flag; on failure, an error message follows.
 
 #include <Standard_Failure.hxx>
 #include <array>
@@ -37,20 +37,20 @@ using Answer = tl::expected<PacketWriter, std::string>;
 constexpr rlim_t kMaxCpu_s = 600;
 constexpr rlim_t kMaxMemory_bytes = rlim_t{12} << 30U;
 
-// Damaged files can make OpenCASCADE go round in circles, or ask for any amount of memory.
+// Damaged files can make OpenCASCADE loop endlessly or request any amount of memory.
 void limit_resources() {
     const rlimit cpu{kMaxCpu_s, kMaxCpu_s};
     ::setrlimit(RLIMIT_CPU, &cpu);
     const rlimit core{0, 0};
     ::setrlimit(RLIMIT_CORE, &core);
-#ifndef GSIM_SANITIZES_ADDRESSES  // that takes all addresses that there are
+#ifndef GSIM_SANITIZES_ADDRESSES  // that reserves the full address space
     const rlimit memory{kMaxMemory_bytes, kMaxMemory_bytes};
     ::setrlimit(RLIMIT_DATA, &memory);
 #endif
 }
 
-// Only the packet shall go to standard output: OpenCASCADE prints there what it thinks of a file. Gives the
-// descriptor for the packet.
+// Returns the descriptor for the packet. Only the packet may be written to standard output, but OpenCASCADE
+// prints its remarks about a file there.
 int silence() {
     const int output = ::dup(STDOUT_FILENO);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -162,6 +162,6 @@ int main(int argc, char** argv) {
         fault.put_text(said.error());
     }
     const bool written = write_all(output, said ? said->bytes() : fault.bytes());
-    // The answer is given; taking OpenCASCADE down would take time and could still fail.
+    // The response is sent. Shutting OpenCASCADE down would take time and could still fail.
     std::_Exit(written ? 0 : 1);
 }

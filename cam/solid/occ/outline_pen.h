@@ -10,14 +10,14 @@
 
 namespace gsim::solid {
 
-/// Draws edges that lie in a plate's upper side.
+/// A pen that draws edges in a plate's upper side.
 class OutlinePen {
   public:
     OutlinePen(const PlateFrame& frame, double tolerance_mm, drawing::Drawing& drawing)
         : frame_(frame), tolerance_mm_(tolerance_mm), drawing_(drawing) {}
 
-    /// A stretch of a curve between two of its parameters as an entity of its own. Lines and circles stay
-    /// what they are. The error is a sentence.
+    /// Draws a part of a curve between two of its parameters as a separate entity. Lines and circles keep
+    /// their type. The error is a message.
     tl::expected<void, std::string> draw(const BRepAdaptor_Curve& curve, double from, double to,
                                          const std::string& name, double bevel_deg);
 

@@ -25,7 +25,7 @@ void add_faces(const TopoDS_Shape& shape, Bodies& bodies) {
         bodies.faces.push_back(TopoDS::Face(faces.Current()));
 }
 
-// Looks for closed shells among faces, sewn where their edges meet.
+// Searches for closed shells among faces, sewn if their edges meet.
 void sew(Bodies& bodies) {
     if (bodies.faces.empty()) return;
     BRepBuilderAPI_Sewing sewing(kGap_mm);

@@ -8,15 +8,15 @@
 
 namespace gsim::solid {
 
-/// What a file holds, sorted.
+/// The contents of a file, sorted.
 struct Bodies {
     std::vector<TopoDS_Solid> solids;
-    std::vector<TopoDS_Face> faces;  ///< Of no body.
-    std::vector<TopoDS_Edge> edges;  ///< Of no face.
+    std::vector<TopoDS_Face> faces;  ///< Not part of a body.
+    std::vector<TopoDS_Edge> edges;  ///< Not part of a face.
 };
 
-/// Faces that close round a body, as many IGES files have them, become one. The normals of a body's faces
-/// point out of it.
+/// Sorts the shapes of a file. Faces that enclose a body, as in many IGES files, become one body. The normals
+/// of a body's faces point out of it.
 Bodies sort_bodies(const TopoDS_Shape& shape);
 
 }  // namespace gsim::solid

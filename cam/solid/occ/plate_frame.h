@@ -9,20 +9,20 @@
 
 namespace gsim::solid {
 
-/// Nearer than this, in mm, two heights are one.
+/// Two heights that differ by less than this, in mm, count as equal.
 inline constexpr double kSameHeight_mm = 0.01;
 
 /// The upper side of a plate as the plane of a drawing.
 class PlateFrame {
   public:
-    /// `up` points out of the material. The drawing's x axis is the file's X as it is seen from there, or its
-    /// Y where X points up or down; its origin is the file's.
+    /// `up` points out of the material. The drawing's x axis is the file's X as seen from there, or its Y if
+    /// X points up or down; its origin is the file's.
     PlateFrame(const gp_Pnt& on_plane, const gp_Dir& up);
 
     const gp_Dir& up() const { return up_; }
     geometry::Point in_plane(const gp_Pnt& point) const;
     geometry::Point in_plane(const gp_Vec& vector) const;
-    /// Above the plane.
+    /// Returns the height over the plane.
     double height_mm(const gp_Pnt& point) const;
 
   private:
@@ -30,7 +30,7 @@ class PlateFrame {
     gp_Dir up_, x_, y_;
 };
 
-/// "(1, 2, 3)"
+/// Returns "(1, 2, 3)".
 std::string shown(const gp_Pnt& point);
 
 }  // namespace gsim::solid

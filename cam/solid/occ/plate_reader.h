@@ -9,8 +9,8 @@
 
 namespace gsim::solid {
 
-/// The outlines of the plate in a file: of its bodies; where there is none, of its flat surfaces; where there
-/// is none either, its curves. The error is a sentence.
+/// Returns the outlines of the plate in a file: of its bodies; without bodies, of its flat surfaces; without
+/// those, its curves. The error is a message.
 tl::expected<Plate, std::string> plate_of(const ShapeFile& file, const PlateOptions& options);
 
 }  // namespace gsim::solid

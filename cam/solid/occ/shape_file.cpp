@@ -25,9 +25,10 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as who asks says
+constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as in the calling program
 
-// What OpenCASCADE found wrong with an entity; it goes on without it, so that a part of the body is missing.
+// Returns an OpenCASCADE error of an entity. OpenCASCADE would continue without the entity, so a part of the
+// body would be missing.
 tl::expected<void, std::string> check(const Interface_CheckIterator& list,
                                       const Interface_InterfaceModel& model) {
     for (list.Start(); list.More(); list.Next()) {
@@ -39,7 +40,7 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
                 ? fmt::format("{}: ", model.StringLabel(model.Value(number))->ToCString())
                 : std::string();
         const std::string_view what = found->CFail(1);
-        // OpenCASCADE looks for its texts in files that need not be installed.
+        // OpenCASCADE reads its texts from files that may not be installed.
         const bool has_text = what.find("Unknown message") == std::string_view::npos;
         return Fault(fmt::format("{}{}", where, has_text ? what : "this entity is damaged"));
     }
@@ -73,7 +74,7 @@ tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
     return file;
 }
 
-// OpenCASCADE would look through all of them for each shape.
+// Listed once, because OpenCASCADE would search through all of them for each shape.
 void ShapeFile::list_entities() {
     const Handle(Transfer_TransientProcess) transfer = reader_->WS()->TransferReader()->TransientProcess();
     for (int i = 1; i <= transfer->NbMapped(); ++i) {
@@ -83,7 +84,7 @@ void ShapeFile::list_entities() {
     }
 }
 
-// In an assembly a shape of the file stands in other places, perhaps in several.
+// In an assembly a shape of the file has other positions, perhaps several.
 const int* ShapeFile::number_of(const TopoDS_Shape& shape) const {
     const int* number = entities_.Seek(shape);
     return number != nullptr ? number : entities_.Seek(shape.Located(TopLoc_Location()));

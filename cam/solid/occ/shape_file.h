@@ -13,20 +13,21 @@ namespace gsim::solid {
 /// The shapes of a STEP or IGES file, in mm.
 class ShapeFile {
   public:
-    /// The error is a sentence. OpenCASCADE's exceptions (Standard_Failure) pass, and it may crash.
+    /// Reads a file. The error is a message. OpenCASCADE's exceptions (Standard_Failure) pass through, and it
+    /// may crash.
     static tl::expected<ShapeFile, std::string> read(const std::string& name);
 
     const TopoDS_Shape& shape() const { return shape_; }
-    /// What the file calls a shape: "#57" in STEP, "D57" in IGES; empty if it is not known.
+    /// Returns the file's name of a shape: "#57" in STEP, "D57" in IGES; empty if it is not known.
     std::string label(const TopoDS_Shape& shape) const;
-    /// Whether that is a shape's label, its name in the file, that of a layer which it is on, or its colour
+    /// Returns true if `name` is a shape's label, its name in the file, the name of its layer, or its colour
     /// (STEP).
     bool goes_by(const TopoDS_Shape& shape, const std::string& name) const;
 
   private:
     ShapeFile() = default;
     void list_entities();
-    /// In the model; null: it is not known.
+    /// Returns the number in the model; null: it is not known.
     const int* number_of(const TopoDS_Shape& shape) const;
 
     std::unique_ptr<XSControl_Reader> reader_;

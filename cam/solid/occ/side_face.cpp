@@ -26,7 +26,7 @@ constexpr double kGreatestBevel_deg = 60;
 constexpr double kBevelStep_deg = 0.5;
 constexpr int kMaxDepth = 8;  // of halving an edge
 constexpr double kUpright_deg = 1e-4;
-// Where along an edge the jet is tried; a face may have no normal at its ends.
+// Positions along an edge at which the jet is tested; a face may have no normal at its ends.
 constexpr std::array kTriedShares{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
 
 // The face below one edge of the upper side.
@@ -79,7 +79,7 @@ class Side {
         return std::abs(frame_.height_mm(point) - height_mm) <= kSameHeight_mm;
     }
 
-    // Each edge lies in the upper or in the lower side, or leads from one to the other.
+    // Returns true if each edge lies in the upper or in the lower side, or leads from one to the other.
     bool goes_through() const {
         bool reaches = false;
         for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -107,8 +107,8 @@ class Side {
         return reaches;
     }
 
-    // The jet through a point of the upper edge stays on the face down to the lower side, or leaves it beyond
-    // its ends, where it narrows.
+    // Returns true if the jet through a point of the upper edge stays on the face down to the lower side. It
+    // may leave the face past its ends if the face narrows.
     bool is_straight(double parameter) const {
         if (plane_) return true;
         const gp_Vec up(frame_.up());

@@ -11,15 +11,15 @@
 
 namespace gsim::solid {
 
-/// A stretch of an edge of the upper side, and how the side face below it leans.
+/// A section of an edge of the upper side, and the tilt of the side face below it.
 struct BevelStretch {
     double from = 0, to = 0;  ///< Parameters of the edge's curve.
     double bevel_deg = 0;     ///< Above 0 the part is smaller below.
 };
 
-/// Stretches along an edge in the order of its parameters; within each the lean changes by half a degree at
-/// most. An error where a straight jet cannot cut the face through the whole plate in one go: the end of a
-/// sentence that begins with the face's name.
+/// Returns sections of an edge in the order of its parameters; within each the tilt changes by at most half a
+/// degree. The error means that a straight jet cannot cut the face through the full plate in one pass. It is
+/// the end of a message that begins with the face's name.
 tl::expected<std::vector<BevelStretch>, std::string> bevels_along(const TopoDS_Edge& edge,
                                                                   const TopoDS_Face& side,
                                                                   const PlateFrame& frame,

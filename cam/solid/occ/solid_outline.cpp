@@ -41,7 +41,7 @@ double area_mm2(const TopoDS_Face& face) {
     return properties.Mass();
 }
 
-// Whether `a` looks up more than `b`: along Z, then Y, then X.
+// Returns true if `a` faces up more than `b`: along Z, then Y, then X.
 bool looks_up_more(const gp_Dir& a, const gp_Dir& b) {
     constexpr double kSame = 1e-6;
     if (std::abs(a.Z() - b.Z()) > kSame) return a.Z() > b.Z();
@@ -60,7 +60,7 @@ bool is_better(const PlaneFace& a, const PlaneFace& b) {
     return looks_up_more(a.normal, b.normal);
 }
 
-// "-x" and the like; empty: whatever the normal.
+// Returns true if the normal points along "-x" or the like; empty: any normal.
 bool looks_along(const gp_Dir& normal, std::string_view axis) {
     constexpr double kAlong = 0.999;
     if (axis.empty()) return true;
@@ -70,7 +70,7 @@ bool looks_along(const gp_Dir& normal, std::string_view axis) {
     return sense * along > kAlong;
 }
 
-// The place on the other side, which is the farthest that a body reaches.
+// Returns the point on the other side, which is the farthest of the bodies.
 gp_Pnt lowest_point(std::span<const TopoDS_Solid> solids, const PlateFrame& frame) {
     gp_Pnt lowest;
     double height_mm = 1;
@@ -113,7 +113,7 @@ SolidOutline::Done SolidOutline::refuse(const TopoDS_Face& face, const std::stri
     return Fault(fmt::format("{} {}", shown(face, file_), what));
 }
 
-// Upper and lower faces, and all others.
+// Sorts upper and lower faces, and all others.
 SolidOutline::Done SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     upper_.clear();
     lower_.clear();
@@ -180,7 +180,7 @@ SolidOutline::Done SolidOutline::draw_face(const TopoDS_Face& face, const Neighb
         for (const TopoDS_Shape& neighbour : faces_at.FindFromKey(edge)) {
             const TopoDS_Face& side = TopoDS::Face(neighbour);
             const auto is_side = [&](const TopoDS_Face& other) { return other.IsSame(side); };
-            // Between two parts of the upper side there is nothing to cut.
+            // An edge between two parts of the upper side is not cut.
             if (std::any_of(upper_.begin(), upper_.end(), is_side)) continue;
             if (auto drawn = draw_edge(edge, side); !drawn) return drawn;
         }

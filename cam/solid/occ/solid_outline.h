@@ -17,18 +17,19 @@
 
 namespace gsim::solid {
 
-/// The upper side of plates: the plane of the largest plane face among them, as the options have it. Of
-/// several of one size it is the one that looks along Z, then Y, then X the most. The error is a sentence.
+/// Returns the upper side of plates: the plane of the largest plane face among them that the options allow.
+/// If several faces have this size, it is the one that faces along Z, then Y, then X the most. The error is a
+/// message.
 tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
                                                  const PlateOptions& options);
 
-/// Adds the outlines of bodies to a plate; all lie in one plane and have one thickness.
+/// A collector for the outlines of bodies in a plate; all lie in one plane and have one thickness.
 class SolidOutline {
   public:
     SolidOutline(const ShapeFile& file, const PlateFrame& frame, double tolerance_mm, Plate& plate)
         : file_(file), frame_(frame), plate_(plate), pen_(frame, tolerance_mm, plate.drawing) {}
 
-    /// The error is a sentence.
+    /// Adds a body. The error is a message.
     tl::expected<void, std::string> add(const TopoDS_Solid& solid);
 
   private:

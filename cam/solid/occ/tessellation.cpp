@@ -20,7 +20,7 @@ using Fault = tl::unexpected<std::string>;
 
 constexpr double kMaxTurn_rad = 0.5;  // between neighbours: small round faces keep their form
 
-// Joins the triangles of faces; vertices of an edge are the same in both faces at it.
+// A builder that joins the triangles of faces; vertices of an edge are the same in both adjacent faces.
 class MeshBuilder {
   public:
     tl::expected<void, std::string> add(const TopoDS_Face& face) {
@@ -40,7 +40,7 @@ class MeshBuilder {
             part->Triangle(i).Get(a, b, c);
             if (reversed) std::swap(b, c);
             const auto at = [&](int node) { return numbers[static_cast<std::size_t>(node - 1)]; };
-            // An edge without a length, as at the tip of a cone, makes triangles without an area.
+            // An edge without a length, as at the apex of a cone, makes triangles without an area.
             if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a))
                 mesh_.triangles.push_back({at(a), at(b), at(c)});
         }

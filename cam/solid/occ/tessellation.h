@@ -9,7 +9,8 @@
 
 namespace gsim::solid {
 
-/// The faces of a shape in triangles, off them by `tolerance_mm` at most. The error is a sentence.
+/// Returns the faces of a shape as triangles with a deviation of at most `tolerance_mm`. The error is a
+/// message.
 tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tolerance_mm);
 
 }  // namespace gsim::solid

@@ -22,10 +22,10 @@ namespace gsim::solid {
 namespace {
 
 constexpr double kOffLine_mm = 0.005;   // how far the wall may be off its straight line
-constexpr double kLeastLine_mm = 0.01;  // a shorter line says nothing of a direction
+constexpr double kLeastLine_mm = 0.01;  // a shorter line does not define a direction
 constexpr double kLeastDown = 0.05;     // of a line of length 1, away from the edge
 
-// From the begin of a curve to its end; nothing where it bends.
+// Returns the vector from the beginning of a curve to its end; nothing if it is curved.
 std::optional<gp_Vec> straight(const BRepAdaptor_Curve& curve) {
     const double from = curve.FirstParameter();
     const double to = curve.LastParameter();
@@ -40,7 +40,7 @@ std::optional<gp_Vec> straight(const BRepAdaptor_Curve& curve) {
     return whole;
 }
 
-// The straight edge from a vertex to its other end.
+// Returns the straight edge from a vertex to its other end.
 std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
     const BRepAdaptor_Curve curve(edge);
     const auto whole = straight(curve);
@@ -72,7 +72,7 @@ std::optional<gp_Dir> Wall::normal(double parameter) const {
     return outward_normal(wall_, at.X(), at.Y());
 }
 
-// In the wall, across the edge, away from it: faces are to the left of their edges.
+// Returns the direction in the wall, across the edge and away from it: faces are to the left of their edges.
 std::optional<gp_Vec> Wall::inwards(double parameter) const {
     const auto outward = normal(parameter);
     gp_Pnt point;
@@ -84,7 +84,7 @@ std::optional<gp_Vec> Wall::inwards(double parameter) const {
 
 void Wall::find_sides() {
     TopoDS_Vertex first, last;
-    TopExp::Vertices(edge_, first, last);  // by the curve, whichever way the edge runs
+    TopExp::Vertices(edge_, first, last);  // by the curve, in either direction of the edge
     if (first.IsNull() || last.IsNull() || first.IsSame(last)) return;
     for (TopExp_Explorer edges(wall_, TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& side = TopoDS::Edge(edges.Current());
@@ -96,7 +96,7 @@ void Wall::find_sides() {
     }
 }
 
-// The side edge at an end, where it leads down the wall.
+// Returns the side edge at an end, if it leads down the wall.
 std::optional<gp_Vec> Wall::side_at(double parameter, bool first) const {
     const gp_Vec down = inwards(parameter).value_or(gp_Vec(0, 0, 0));
     const auto& side = first ? first_side_ : last_side_;
@@ -104,7 +104,7 @@ std::optional<gp_Vec> Wall::side_at(double parameter, bool first) const {
     return std::nullopt;
 }
 
-// How far a plane wall reaches along a direction, to the first edge that ends it.
+// Returns the length of a plane wall along a direction, to the first edge that ends it.
 std::optional<double> Wall::reach_mm(double parameter, const gp_Vec& direction) const {
     const gp_Pnt start = curve_.Value(parameter);
     const Handle(Geom_Plane) plane = new Geom_Plane(start, direction.Crossed(gp_Vec(*normal(parameter))));
@@ -174,7 +174,7 @@ std::optional<WallLine> Wall::line(double parameter) const {
     const auto u = iso_line(parameter, true);
     const auto v = iso_line(parameter, false);
     if (!u || !v) return u ? u : v;
-    // Both are straight on a saddle; the one that goes down more is the wall's.
+    // Both are straight on a saddle; the one that is steeper downwards belongs to the wall.
     const gp_Vec down = *inwards(parameter);
     return u->direction.Dot(down) > v->direction.Dot(down) ? u : v;
 }

@@ -9,27 +9,27 @@
 
 namespace gsim::solid {
 
-/// A direction down a wall, of length 1, how far the wall reaches along it, and its outward normal there.
+/// A direction down a wall, of length 1, the length of the wall along it, and its outward normal there.
 struct WallLine {
     gp_Vec direction{0, 0, 0};
     double depth_mm = 0;
     gp_Vec far_normal{0, 0, 0};
 };
 
-/// The face across an edge, down which a jet goes.
+/// The face across an edge, along which the jet runs down.
 class Wall {
   public:
-    /// `any_edge`: an edge may bend within a plane wall that has no side edge at its ends, as part of a
-    /// longer edge of that wall does. Loops of one face have such edges only where the wall is none to cut
-    /// along.
+    /// `any_edge`: an edge may be curved within a plane wall without side edges at its ends, such as a part
+    /// of a longer edge of that wall. Loops of one face have such edges only if the jet cannot cut along the
+    /// wall.
     Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall, bool any_edge = false);
 
-    /// Out of the material, at a parameter of the edge's curve.
+    /// Returns the normal out of the material, at a parameter of the edge's curve.
     std::optional<gp_Dir> normal(double parameter) const;
-    /// The straight line in the wall that begins at that point of the edge. In a plane wall it turns from the
-    /// one side edge to the other, so that walls that meet in a corner have one line there; where the edge
-    /// has none at an end, as within a side of several edges, it is square to the edge. Nothing where no line
-    /// of the wall is straight.
+    /// Returns the straight line in the wall that begins at that point of the edge. In a plane wall it turns
+    /// from one side edge to the other, so walls that meet in a corner have one line there. If the edge has
+    /// no side edge at an end, as within a side of several edges, it is perpendicular to the edge. Returns
+    /// nothing if no line of the wall is straight.
     std::optional<WallLine> line(double parameter) const;
 
   private:
@@ -46,9 +46,9 @@ class Wall {
     BRepAdaptor_Curve2d on_wall_;
     bool plane_ = false;
     bool any_edge_ = false;
-    double sense_ = 1;  ///< -1: the wall has its edge the other way round.
+    double sense_ = 1;  ///< -1: the edge runs in reverse in the wall.
     double u_low_ = 0, u_high_ = 0, v_low_ = 0, v_high_ = 0;
-    std::optional<gp_Vec> first_side_, last_side_;  ///< Of a plane wall, with their lengths.
+    std::optional<gp_Vec> first_side_, last_side_;  ///< For a plane wall, with their lengths.
 };
 
 }  // namespace gsim::solid

@@ -25,7 +25,7 @@ constexpr double kTurnStep_rad = 2 * kRadPerDeg;  // of directions, from one poi
 constexpr int kMaxHalvings = 14;
 constexpr int kFirstParts = 2;
 constexpr double kSmooth = 0.9998;   // cosine of the angle at which two faces are one, 1 deg
-constexpr double kBeside_mm = 0.05;  // off the wall, where what is behind it is looked for
+constexpr double kBeside_mm = 0.05;  // distance off the wall for the search of obstacles after it
 constexpr double kBlind_mm = 0.05;
 
 Triple triple_of(const gp_XYZ& vector) {
@@ -45,7 +45,7 @@ std::string label_of(const ShapeFile& file, const TopoDS_Shape& shape) {
     return label.empty() ? "" : " " + label;
 }
 
-// Points of an edge, as close as tolerance and turning directions want them.
+// A sampler for points of an edge, as close as the tolerance and the change of directions require.
 class EdgeSampler {
   public:
     EdgeSampler(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& wall,
@@ -56,8 +56,8 @@ class EdgeSampler {
           wall_(edge, wall, options.kind == "edges"),
           options_(options) {}
 
-    /// In the order of the curve's parameter; an error where the wall is not straight, or there are no
-    /// normals.
+    /// Returns the points in the order of the curve's parameter; an error if the wall is not straight, or has
+    /// no normals.
     tl::expected<std::vector<WallPoint>, std::string> run() {
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
@@ -74,7 +74,7 @@ class EdgeSampler {
     }
 
   private:
-    // Directions at an end of the edge are those a little before it: surfaces may have none there.
+    // Directions at an end of the edge are those slightly before it, because surfaces may have none there.
     WallPoint at(double parameter, bool is_end) {
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
@@ -142,7 +142,7 @@ class EdgeSampler {
     std::string fault_;
 };
 
-// Whether two faces are one in the middle of their edge.
+// Returns true if two faces are tangent in the middle of their edge.
 bool is_smooth(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& other) {
     const auto normal_of = [&edge](const TopoDS_Face& each) {
         const BRepAdaptor_Curve2d curve(edge, each);
@@ -161,7 +161,7 @@ void turn_round(WallEdge& edge) {
     }
 }
 
-// Above 0 where the wall's outside is to the right of the way.
+// Returns a value above 0 if the wall's outside is to the right of the path.
 double waste_to_the_right(const WallPoint& point) {
     return occ_vector(point.tangent).Crossed(occ_vector(point.normal)).Dot(occ_vector(point.wall_normal));
 }
@@ -180,7 +180,7 @@ double ContourWalk::behind_mm(const WallEdge& edge) const {
         if (direction.Magnitude() < 0.5) continue;
         const gp_Vec middle = (occ_vector(a.position_mm) + occ_vector(b.position_mm)) / 2;
         const gp_Pnt start(middle.XYZ() + kBeside_mm * occ_vector(a.wall_normal).XYZ());
-        // Not PerformNearest: OpenCASCADE 7.6 deletes the array that this makes as if it were one number.
+        // Not PerformNearest: OpenCASCADE 7.6 deletes its array as if it were a single number.
         hits.Perform(gp_Lin(start, gp_Dir(direction)), kBeside_mm, 1e6);
         if (!hits.IsDone()) continue;
         for (int index = 1; index <= hits.NbPnt(); ++index) {

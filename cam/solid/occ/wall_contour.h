@@ -15,19 +15,19 @@
 
 namespace gsim::solid {
 
-/// How far a face looks to a side at least that a jet enters from there, -1 to 1.
+/// Min alignment of a face with a side so that a jet enters from there, -1 to 1.
 inline constexpr double kLeastLook = 0.01;
 
 using FacesOfEdges = TopTools_IndexedDataMapOfShapeListOfShape;
 
-/// An edge between a face that a jet enters and the wall below, with material to the left of its way.
+/// An edge between a face that a jet enters and the wall below, with material to the left of its path.
 struct EdgeAlone {
     WallEdge edge;
-    TopoDS_Vertex begin, end;  ///< Of its way.
+    TopoDS_Vertex begin, end;  ///< Ends of its path.
 };
 
-/// Walks round a loop of a face's edges, or along one of them, with the walls across them. Errors say why it
-/// is no contour that a jet could cut, as the end of a sentence.
+/// A walk round a loop of a face's edges, or along one of them, with the walls across them. Errors explain
+/// why a jet cannot cut this contour, as the end of a message.
 class ContourWalk {
   public:
     ContourWalk(const ShapeFile& file, const TopoDS_Solid& solid, const FacesOfEdges& faces_of,
@@ -36,7 +36,7 @@ class ContourWalk {
 
     tl::expected<WallContour, std::string> walk(const TopoDS_Face& face, const FaceLoop& loop) const;
     tl::expected<EdgeAlone, std::string> walk_along(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
-    /// Nothing where all walls go through.
+    /// Returns nothing if all walls pass through.
     static std::optional<std::string> find_blind(const WallContour& contour);
 
   private:

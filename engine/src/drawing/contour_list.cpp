@@ -16,7 +16,7 @@ using text::DiagnosticKind;
 std::vector<std::array<double, 3>> line_of(const solid::WallContour& contour) {
     std::vector<std::array<double, 3>> line_mm;
     for (const solid::WallEdge& edge : contour.edges) {
-        // The end of an edge is the begin of the next.
+        // The end of an edge is the beginning of the next.
         if (!line_mm.empty()) line_mm.pop_back();
         for (const solid::WallPoint& point : edge.points) line_mm.push_back(point.position_mm);
     }

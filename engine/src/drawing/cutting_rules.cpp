@@ -41,7 +41,8 @@ cutting::CutRules rules_of(const waterjet::CuttingPlan& plan, const CuttingChoic
         .feed_in_corner_mm_min =
             [plan](double turn_rad) { return waterjet::feed_for_corner_mm_min(plan, turn_rad); },
         .corner_zone_mm = waterjet::corner_zone_mm(plan)};
-    // Less than a thickness that was given is no reason to be faster: behind the wall there may be more.
+    // A depth below the given thickness does not allow a higher feed, because more material may follow after
+    // the wall.
     const double most_mm_min =
         choice.thickness_mm > 0 ? plan.cutting_speed_mm_min : std::numeric_limits<double>::infinity();
     rules.speed_at_depth_mm_min = [plan, most_mm_min](double depth_mm) {

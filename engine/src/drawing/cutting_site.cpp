@@ -17,7 +17,7 @@ using text::DiagnosticKind;
 namespace {
 
 constexpr std::size_t kMostFaults = 20;
-// Where programs begin that select no work offset.
+// Work offset of programs that do not select one.
 constexpr std::string_view kFirstOffset = "54";
 
 std::string name_of(const cutting::Autopath& made, std::size_t path) {

@@ -12,7 +12,7 @@
 
 namespace gsim::engine {
 
-/// The machine that is to cut, and what stands round it.
+/// The cutting machine and its surroundings.
 class CuttingSite {
   public:
     /// Reads machine, machine data and cell, with all their meshes.
@@ -21,12 +21,11 @@ class CuttingSite {
     CuttingSite& operator=(CuttingSite&&) noexcept;
     ~CuttingSite();
 
-    /// What of a control's settings is not taken over, and that nothing is looked at where there are no
-    /// bodies, in sentences.
+    /// Returns messages about the controller's settings that are not imported, and about missing bodies,
+    /// without which no check is made.
     const std::vector<std::string>& notes() const;
-    /// Leads the ways between cuts past what stands there, and notes how many. The error is a sentence, or
-    /// several lines: cuts that the machine does not reach, that something is in the way of, ways that were
-    /// not found.
+    /// Reroutes the moves between cuts past the surroundings, and counts them. The error is a message, or
+    /// several lines: cuts that the machine does not reach, cuts with obstacles, paths that were not found.
     tl::expected<void, std::string> clear_ways(cutting::Autopath& made, CuttingFigures& figures) const;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace gsim::engine {
 
-/// Reads a drawing, or a flat part through the host. The error is a sentence: why it cannot be read, or what
-/// of the choice is not for such a file.
+/// Reads a drawing, or a flat part through the host. The error is a message: why it cannot be read, or which
+/// option is not for such a file.
 tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
                                                            const DrawingChoice& choice);
 

@@ -48,7 +48,7 @@ CuttingFigures figures_of(const cutting::CutSummary& summary) {
             .moving_pierces = summary.moving_pierces};
 }
 
-// What the jet has to go through where the walls are deepest.
+// Returns the max depth that the jet has to cut, at the deepest walls.
 double greatest_depth_mm(const solid::WallContours& part) {
     double depth_mm = 0;
     for (const solid::WallContour& contour : part.contours) {
@@ -99,17 +99,17 @@ class DrawingPath::State {
 
     DrawingRequest request_;
     std::string file_;
-    std::optional<waterjet::Materials> materials_;  ///< None where no material is asked for.
+    std::optional<waterjet::Materials> materials_;  ///< None without a requested material.
     std::string script_;                            ///< Text of the one that chooses contours.
-    std::optional<CuttingSite> site_;               ///< None: nobody looks at what stands there.
+    std::optional<CuttingSite> site_;               ///< None: the surroundings are not checked.
     drawing::Drawing drawing_;
-    solid::WallContours contours_;  ///< In place of a drawing, where a surface is asked for.
+    solid::WallContours contours_;  ///< Instead of a drawing, if a surface is requested.
     SettledCutting cutting_;
     path::Program program_;
     CuttingFigures figures_;
 };
 
-/// How what is so thick is cut.
+/// Settles the cutting parameters for this thickness.
 tl::expected<void, Failure> DrawingPath::State::settle(double thickness_mm) {
     auto settled = settle_cutting(request_.cutting, materials_, thickness_mm);
     if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));

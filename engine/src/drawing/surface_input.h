@@ -12,25 +12,26 @@
 
 namespace gsim::engine {
 
-/// What of a request for contours is for drawings and flat parts alone, as a sentence; empty: nothing.
+/// Returns a message about options in a request for contours that are only for drawings and flat parts;
+/// empty: none.
 std::string misplaced_with_contours(const DrawingRequest& request);
 
-/// What scripts and lists are told of a contour.
+/// Returns the facts about a contour for scripts and lists.
 script::ContourFacts facts_of(const solid::WallContour& contour);
 
-/// Reads contours of a part through the host. The error is a sentence.
+/// Reads contours of a part through the host. The error is a message.
 tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
                                                                   const ContourChoice& choice);
 
-/// Those of a request, with its tolerance.
+/// Reads those of a request, with its tolerance.
 tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
                                                                   const DrawingRequest& request);
 
-/// Leaves those of which the script of a file is true. The error is "file:line: sentence".
+/// Keeps the contours for which the script of a file is true. The error is "file:line: message".
 tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
                                                 solid::WallContours& part);
 
-/// How the contours that a request names become a path.
+/// Returns the options for making a path from the contours that a request names.
 surface::SurfaceOptions surface_options(const DrawingRequest& request);
 
 }  // namespace gsim::engine

@@ -28,7 +28,7 @@ std::string lower_ending(const std::string& name) {
     return text::lower(std::filesystem::path(name).extension().string());
 }
 
-// X, Y and Z, which need nothing but letters here.
+// Returns X, Y and Z, which need only letters here.
 std::vector<machine::Axis> plain_axes() {
     std::vector<machine::Axis> axes;
     for (const char letter : {'X', 'Y', 'Z'}) axes.push_back({.letter = letter});

@@ -29,7 +29,7 @@ ordered_json value_to_json(const DataField& field, const std::string& value) {
     return number ? ordered_json(*number) : ordered_json();
 }
 
-/// Builds the lines of a file from the entries of JSON.
+/// A builder for the lines of a file from the entries of JSON.
 class JsonReader {
   public:
     JsonReader(std::string file_name, std::span<const machine::Axis> axes)

@@ -11,14 +11,15 @@
 
 namespace gsim::engine {
 
-/// An entry of machine data as JSON: "id", "unit" where the section has lengths, and the fields by their
-/// names; null is a wall that is not there.
+/// Returns an entry of machine data as JSON: "id", "unit" if the section has lengths, and the fields by their
+/// names; null is a missing wall.
 nlohmann::ordered_json row_to_json(const machine::SectionRules& rules, const machine::DataRow& row);
 
-/// All entries: an object with a list for each section that is not empty. Remarks are not in it.
+/// Returns all entries: an object with a list for each section that is not empty. It does not contain
+/// remarks.
 nlohmann::ordered_json data_to_json(const machine::MachineDataDocument& document);
 
-/// The way back, as a file of its own. The error is a sentence that begins with `file_name`.
+/// Returns the inverse conversion, as a separate file. The error is a message that begins with `file_name`.
 tl::expected<machine::MachineDataDocument, std::string> data_from_json(std::string_view text,
                                                                        const std::string& file_name,
                                                                        std::span<const machine::Axis> axes);

@@ -7,7 +7,7 @@
 
 namespace gsim::engine {
 
-/// The rules of all sections, as users of this library take them.
+/// Returns the rules of all sections, in the form for users of this library.
 std::vector<MachineData::Section> data_sections(const machine::DataRules& rules);
 
 }  // namespace gsim::engine

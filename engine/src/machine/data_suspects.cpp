@@ -46,7 +46,7 @@ class SuspectSearch {
             fmt::format("{}:{}:{}: warning: {}", file_name_, place.line, place.column, sentence));
     }
 
-    // Points and walls: both have fields that begin with the letter of their axis.
+    // Checks points and walls: both have fields that begin with the letter of their axis.
     void check_ranges(const SectionRules& rules, const DataRow& row) {
         for (std::size_t i = 0; i < rules.positional(); ++i) {
             const auto index = machine_->find(rules.fields[i].name[0]);

@@ -8,9 +8,9 @@
 
 namespace gsim::engine {
 
-/// What is suspect in machine data that can be read, as "file:line:column: warning: sentence" each: aliases
-/// that the control would refuse, points and walls beyond the ranges of the machine (where there is one),
-/// zones that nothing switches on.
+/// Returns lint warnings for readable machine data, as "file:line:column: warning: message" each: aliases
+/// that the controller would reject, points and walls beyond the ranges of the machine (if it is known),
+/// zones that no code switches on.
 std::vector<std::string> data_suspects(const machine::MachineDataDocument& document,
                                        const std::string& file_name,
                                        const std::optional<machine::Machine>& machine);

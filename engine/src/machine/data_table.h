@@ -7,11 +7,11 @@
 
 namespace gsim::engine {
 
-/// A section for people: its keyword, a line with the names of the fields that are in use, a line for each
+/// Returns a section for people: its keyword, a line with the names of the fields in use, a line for each
 /// entry, in columns.
 std::string data_table(const machine::SectionRules& rules, std::span<const machine::DataRow> rows);
 
-/// One entry for people: a line for each field that it has, and its unit.
+/// Returns one entry for people: a line for each of its fields, and its unit.
 std::string data_list(const machine::SectionRules& rules, const machine::DataRow& row);
 
 }  // namespace gsim::engine

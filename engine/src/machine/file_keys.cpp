@@ -35,7 +35,7 @@ void add_range(ordered_json& json, const NumberRange& range) {
     if (range.whole) json["whole"] = true;
 }
 
-/// A number that is not finite as in the answer to `toml`.
+/// A number that is not finite has the same form as in the response to `toml`.
 ordered_json value_json(const std::string& written) {
     const auto value = text::try_parse_json<ordered_json>(written);
     return value.is_discarded() ? ordered_json(written) : value;

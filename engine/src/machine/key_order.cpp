@@ -46,7 +46,7 @@ class KeyOrder {
         to[key] = ordered(*found, at);
     }
 
-    /// Of the tables of a name the one that has most of an object's keys.
+    /// Returns, of all tables with one name, the one that has most of an object's keys.
     const GuideTable* table_of(const ordered_json& object, const KeyPlace& at) const {
         const GuideTable* best = nullptr;
         std::ptrdiff_t most = 0;

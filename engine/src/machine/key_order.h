@@ -7,9 +7,9 @@
 
 namespace gsim::engine {
 
-/// A value for the place `at` (its keys, without numbers of elements) of a machine, cell or controller file,
-/// with the keys of its objects in the order in which people are told of them, and others behind these. What
-/// passed the order of keys on may have lost it.
+/// Returns a value for the position `at` (its keys, without numbers of elements) of a machine, cell or
+/// controller file. The keys of its objects are in the documented order, with others after these. The order
+/// may have been lost in transmission.
 nlohmann::ordered_json in_key_order(const nlohmann::ordered_json& value, const std::vector<std::string>& at);
 
 }  // namespace gsim::engine

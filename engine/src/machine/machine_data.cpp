@@ -96,7 +96,7 @@ struct MachineData::State {
     std::optional<machine::Machine> machine;
     MachineDataDocument document;
 
-    /// What a change says, with the name of the file.
+    /// Returns the result of a change; an error gets the name of the file.
     tl::expected<void, Failure> changed(const MachineDataDocument::Changed& done) const {
         if (!done) return refused(fmt::format("{}: {}", name, done.error()));
         return {};

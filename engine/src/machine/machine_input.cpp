@@ -25,7 +25,7 @@ MachineInput from_control(import::Imported imported, const std::string& file) {
     return input;
 }
 
-// What switches the process of a machine are words that a dialect has.
+// The words that switch the process of a machine must be those of a dialect.
 tl::expected<machine::Machine, std::string> read_machine_file(const std::string& text,
                                                               const std::string& file, const os::Files& files,
                                                               std::vector<std::string>* faults) {

@@ -13,21 +13,21 @@
 
 namespace gsim::engine {
 
-/// A machine as a request, or a file of robots or a cell names it: a machine file, a sample by its
-/// name, or the settings of a control (LinuxCNC's .ini, what grbl answers to $$).
+/// A machine as named by a request, a file of robots or a cell: a machine file, a sample by its name, or the
+/// settings of a controller (LinuxCNC's .ini, the response of grbl to $$).
 struct MachineInput {
     machine::Machine machine;
     std::optional<machine::MachineData> data;  ///< Offsets and tools that the settings name.
-    std::vector<std::string> notes;            ///< What of the settings is not taken over, in sentences.
+    std::vector<std::string> notes;            ///< Messages about settings that are not imported.
 };
 
-/// Reads it; an empty name is the machine that is built in. The error is a sentence; `faults`, where given,
-/// gets all that there are, the first one first.
+/// Reads it; an empty name is the built-in machine. The error is a message; `faults`, if given, receives all
+/// errors, the first one first.
 tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
                                                            os::NamedBy named_by,
                                                            std::vector<std::string>* faults = nullptr);
 
-/// Of that only what it says of programs: a machine file is not read any further.
+/// Reads only its data about programs: a machine file is not read any further.
 tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
                                                                     const std::string& name);
 

@@ -7,9 +7,9 @@
 
 namespace gsim::engine {
 
-/// What runs on a machine share.
+/// Data shared by runs on a machine.
 struct Machine::Parts {
-    FoundRequest found;  ///< Of machine, machine data and cell alone.
+    FoundRequest found;  ///< Machine, machine data and cell alone.
     MachineInput input;
     std::shared_ptr<const cell::Cell> bodies = nullptr;  ///< Null: not read.
 };

@@ -21,7 +21,7 @@ using text::DiagnosticKind;
 namespace {
 
 constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
-constexpr double kDigits = 1e9;  // as many are told of mm and deg; beyond them there is but rounding
+constexpr double kDigits = 1e9;  // digits shown of mm and deg; further digits are only rounding errors
 constexpr double kDigitsOfDirections = 1e15;
 constexpr double kParallel = 1e-12;
 
@@ -37,7 +37,7 @@ Vector3d vector(const std::array<double, 3>& values) {
     return {values[0], values[1], values[2]};
 }
 
-/// The least turn that brings one direction to another, both of length 1.
+/// Returns the smallest rotation from one direction to another, both of length 1.
 Eigen::Matrix3d least_turn(const Vector3d& from, const Vector3d& to) {
     const Vector3d across = from.cross(to);
     const Vector3d about = across.norm() > kParallel ? across.normalized() : from.unitOrthogonal();

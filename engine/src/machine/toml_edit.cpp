@@ -24,14 +24,14 @@ using nlohmann::ordered_json;
 using text::DiagnosticKind;
 using Edited = tl::expected<void, std::string>;
 
-/// What can be done, and the key that it takes beside "at".
+/// An operation, and the key that it needs in addition to "at".
 struct Operation {
     std::string_view name;
     std::string_view key;  ///< Empty: none.
     Edited (*run)(TomlEdit&, const TomlPath&, const ordered_json& value);
 };
 
-/// In an order for people; as it is where it is refused.
+/// Returns the value in an order for people; unchanged if it is invalid.
 ordered_json for_people(const TomlPath& path, const ordered_json& value) {
     if (base::find_value_fault(value)) return value;
     std::vector<std::string> keys;

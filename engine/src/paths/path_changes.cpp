@@ -30,13 +30,13 @@ bool stays(const PathChanges& changes) {
 
 using ChangeFault = tl::unexpected<std::string>;
 
-/// Where the numbers of a path are counted from, X, Y and Z of the machine. The error is a sentence.
+/// Returns the origin of the numbers of a path, X, Y and Z of the machine. The error is a message.
 tl::expected<path::Vector, std::string> origin_of(const path::Program& program, const PathSite& site,
                                                   bool turns) {
     const path::WorkFrame& frame = program.paths[program.root].frame;
     if (frame.set_offset_mm) return *frame.set_offset_mm;
     const std::vector<std::string>& systems = site.post.offsets.systems;
-    // Where the machine stands is given its own coordinates at the beginning.
+    // At the beginning, the machine's position gets its own coordinates.
     if (frame.name.empty() && !site.post.start_position.empty()) return path::Vector{};
     const std::string name = !frame.name.empty() || systems.empty() ? frame.name : systems.front();
     path::Vector origin_mm{};
@@ -54,7 +54,7 @@ tl::expected<path::Vector, std::string> origin_of(const path::Program& program, 
     return origin_mm;
 }
 
-/// The way of the tip from the machine's zero to a place of X, Y and Z.
+/// Returns the vector of the TCP from the machine's zero to a position of X, Y and Z.
 Eigen::Vector3d way_to(const path::MachineSpace& space, const path::Vector& place_mm) {
     path::AxisValues at = space.home(), zero = at;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -96,7 +96,7 @@ tl::expected<void, std::string> change_path(path::PathFile& file, const PathSite
     }
     if (changes.order.empty()) return {};
     return path::reorder(file.program, changes.order, *space).map_error(located).and_then([&]() -> Done {
-        // Messages name targets by their places in the file.
+        // Messages name targets by their positions in the file.
         std::vector<path::Place>& places = file.targets[file.program.root];
         const std::vector<path::Place> before = places;
         for (std::size_t i = 0; i < places.size(); ++i) places[i] = before[changes.order[i]];

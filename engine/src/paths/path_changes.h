@@ -12,15 +12,15 @@
 
 namespace gsim::engine {
 
-/// Where the numbers of a path will be counted from.
+/// The origin of the numbers of a path.
 struct PathSite {
     const machine::Machine& machine;
     const machine::MachineData* data = nullptr;  ///< Null: work offsets are at the machine's zero.
     const codegen::Post& post;
 };
 
-/// Makes the changes of a request in a path that has been read, and whose frames and points are complete. The
-/// error names the place in its file.
+/// Applies the changes of a request to a path that has been read, with complete frames and points. The error
+/// names the source location in its file.
 tl::expected<void, std::string> change_path(path::PathFile& file, const PathSite& site,
                                             const PathChanges& changes);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostNotes = 20;
 constexpr std::size_t kMostNames = 8;  // in an error
 
-// What a program tells people, without anything being done.
+// Returns true if an action only shows a message to people, without any effect.
 bool is_said(std::string_view action) {
     constexpr std::array<std::string_view, 11> kSaid = {
         "message",  "print",      "print_open", "print_close", "debug",      "log",

@@ -45,7 +45,7 @@ std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Po
     return std::nullopt;
 }
 
-// What the request gives to a root that has none.
+// Sets the values of the request in a root that has none.
 std::optional<std::string> give_defaults(path::Program& program, const PathRequest& request,
                                          const codegen::Post& post) {
     const bool asked = !request.work_offset.empty() || request.set_offset_mm || request.tool;
@@ -104,7 +104,7 @@ std::optional<path::Fault> PathFrames::fault_of_touches(const path::MachineSpace
     return std::nullopt;
 }
 
-// The tool is up before each touch, and behind the last one.
+// The tool is retracted before each touch, and after the last one.
 void PathFrames::tell_touches(path::MoveSink& sink) const {
     std::optional<int> tool;
     for (const Found& frame : found_) {
@@ -148,7 +148,7 @@ tl::expected<void, std::string> complete_frames(path::PathFile& file, const Path
     if (fault) return tl::unexpected(*fault);
     std::string& of_root = program.paths[program.root].frame.name;
     if (any && of_root.empty()) of_root = post.offsets.systems.front();
-    // The request may have brought what does not go with the path.
+    // The request may have added values that do not fit the path.
     if (const auto ill = path::validate(program))
         return tl::unexpected(file.located(ill->where, ill->sentence));
     return {};

@@ -30,7 +30,7 @@ Read judged(tl::expected<path::PathFile, std::string> read) {
         [](std::string fault) { return PathError{.in_path = true, .message = std::move(fault)}; });
 }
 
-// Piece by piece: a path may be long.
+// Reads in parts, because a path may be long.
 Read read_system_file(const std::string& name) {
     const auto file = os::open_input(name, os::NamedBy::command_line);
     if (!file) return tl::unexpected(unreadable(fmt::format("cannot read '{}': {}", name, file.error())));
@@ -45,7 +45,7 @@ Read read_system_file(const std::string& name) {
 
 }  // namespace
 
-// What was read before reading failed is no path with a mistake.
+// After a read error, the part read before is not reported as an erroneous path.
 Read read_path_bytes(const PathRequest::ReadBytes& read, const std::string& name) {
     std::optional<std::string> fault;
     const auto until_fault = [&](char* buffer, std::size_t size) -> std::size_t {

@@ -12,17 +12,17 @@
 
 namespace gsim::engine {
 
-/// Why there is no path.
+/// The reason why a path is missing.
 struct PathError {
     bool in_path = false;  ///< The path has a mistake; else its file cannot be read.
-    std::string message;   ///< A sentence that begins with the place, or names the file.
+    std::string message;   ///< A message that begins with the position, or names the file.
 };
 
-/// Reads a path from a path file that comes in pieces; the name is for messages.
+/// Reads a path from a path file that arrives in parts; the name is for messages.
 tl::expected<path::PathFile, PathError> read_path_bytes(const PathRequest::ReadBytes& read,
                                                         const std::string& name);
 
-/// Reads a path from a path file, or from a script in Lua (.lua). The limits are of a script.
+/// Reads a path from a path file, or from a script in Lua (.lua). The limits are for a script.
 tl::expected<path::PathFile, PathError> read_path(const os::Files& files, const std::string& name,
                                                   const script::LuaState::Limits& limits, os::CpuLimit* cpu);
 

@@ -42,7 +42,7 @@ std::string known_points(const Points& points) {
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-// Names are the same in any case.
+// Names are not case-sensitive.
 const machine::AxisValues* find_point(const Points& points, const MachinePoint& point) {
     int number = point.number;
     for (const auto& [each, name] : points.names) {

@@ -12,17 +12,17 @@
 
 namespace gsim::engine {
 
-/// What says where the fixed and reference points of a path lie.
+/// Sources for the positions of the fixed and reference points of a path.
 struct PointTables {
     const machine::Machine& machine;
-    const machine::MachineData* data = nullptr;  ///< Null: there are none.
-    std::string data_name = {};                  ///< Of their file, for sentences.
+    const machine::MachineData* data = nullptr;  ///< Null: none.
+    std::string data_name = {};                  ///< Name of their file, for messages.
 };
 
-/// Fills in where the machine points of a path lie: fixed points, and reference points with a name, by the
-/// machine data; other reference points as far as the machine file or the machine data have home positions.
-/// Axes that paths do not move are left out. Gives what the user should know of them, in sentences. The error
-/// is "file:line:column: sentence": nobody knows a fixed point, or the post has no word for the way there.
+/// Sets the positions of the machine points of a path. The machine data define fixed points, and reference
+/// points with a name. For other reference points, the machine file or the machine data may have home
+/// positions. Axes that paths do not move are left out. Returns messages for the user about them. The error
+/// is "file:line:column: message": an unknown fixed point, or the post has no word for the path to it.
 tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFile& file,
                                                                     const PointTables& tables,
                                                                     const codegen::Post& post);

@@ -21,7 +21,7 @@ using path::Fault;
 
 namespace {
 
-constexpr double kMostTargets = 1e8;  // of a program whose sub-paths are written where they are used
+constexpr double kMostTargets = 1e8;  // of a program with its sub-paths written inline
 constexpr int kFirstLabel = 5001;     // of O-words that repeat a call
 
 std::string plain_name(const std::string& name) {
@@ -34,7 +34,7 @@ std::string plain_name(const std::string& name) {
 
 }  // namespace
 
-// Moves as blocks.
+// Writer of moves as blocks.
 class PathProgram::Sink : public path::MoveSink {
   public:
     Sink(const PathProgram& program, const path::AxisMoves& moves, GcodeWriter::Sink text)
@@ -51,19 +51,20 @@ class PathProgram::Sink : public path::MoveSink {
 
     GcodeWriter& writer() { return writer_; }
     void run(std::size_t path) {
-        // Everything was looked at by PathCheck.
+        // PathCheck has checked everything before.
         path::MergedLines merged(*this, program_.space_, program_.move_options());
         static_cast<void>(
             moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
         merged.finish();
     }
-    /// The root's lines behind those of the program's beginning.
+    /// Writes the root's lines after those of the program's beginning.
     void begin() {
         const codegen::Post& post = *program_.post_;
         const Offsets offsets = program_.offsets();
         const bool framed = program_.frames_.any();
         if (offsets != Offsets::as_path || framed) writer_.lines(post.offsets.begin);
-        // What the control has for a frame counts there, whatever the place where the tool stands was called.
+        // With frames, the controller's frame data count, regardless of the coordinates set for the tool's
+        // position.
         const std::string& here = framed                        ? std::string()
                                   : offsets == Offsets::as_path ? post.start_position
                                                                 : post.offsets.here;
@@ -75,7 +76,7 @@ class PathProgram::Sink : public path::MoveSink {
         if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
         program_.frames_.tell_touches(*this);
     }
-    /// Those before the lines of its end.
+    /// Writes the lines before those of the program's end.
     void end() {
         constexpr std::string_view kNoLength = "tool_length_off";
         if (program_.frames_.tools() && program_.post_->actions.contains(kNoLength))
@@ -109,7 +110,7 @@ class PathProgram::Sink : public path::MoveSink {
         if (way.reference > 0) return writer_.go_to_reference(way.reference, way.steps);
         writer_.machine_rapids(way.steps);
     }
-    // The numbers of a recorded path are counted from where the machine's data has the system.
+    // The numbers of a recorded path are relative to the system's origin in the machine data.
     void work_offset(const std::string& name) override {
         if (program_.offsets() == Offsets::as_path) return writer_.work_offset(name);
         if (program_.offsets() != Offsets::keep) return;
@@ -144,7 +145,7 @@ class PathProgram::Sink : public path::MoveSink {
     }
 
   private:
-    // X, Y and Z, which are the first axes.
+    // Uses X, Y and Z, which are the first axes.
     path::Vector from_origin(const path::Vector& xyz) const {
         return {xyz[0] - origin_[0], xyz[1] - origin_[1], xyz[2] - origin_[2]};
     }
@@ -256,7 +257,7 @@ tl::expected<void, std::string> PathProgram::check_retract() const {
     return tl::unexpected(fmt::format("--retract: {}", fault));
 }
 
-// As a line of its feed where the control has no threads, and the user wants the program all the same.
+// A thread is a line at its feed if the controller has no threads, but the user wants the program anyway.
 std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const {
     const bool has_word = !post_->thread.empty() && offsets() != Offsets::machine;
     return has_word ? move.lead_mm : std::nullopt;

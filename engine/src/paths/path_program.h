@@ -22,28 +22,29 @@ struct PathProgramOptions {
     codegen::WriterOptions words;
     path::RotaryOptions rotary;
     double tolerance_mm = 0.01;
-    bool separate_files = false;            ///< Each sub-path in a file of its own.
+    bool separate_files = false;            ///< Each sub-path in a separate file.
     std::optional<Offsets> offsets = {};    ///< Left out: keep for recorded paths, else as_path.
     std::optional<double> retract_mm = {};  ///< Machine coordinate of Z; left out: the end of its range.
-    bool go_on = false;  ///< What the post has no words for becomes comments, instead of an error.
+    bool go_on = false;  ///< Elements without words in the post become comments, instead of an error.
     std::string name;    ///< {program} of the post: the main file's name without its extension.
 };
 
-/// A path on its way to G-code for one machine and one controller.
+/// The translation of a path to G-code for one machine and one controller.
 class PathProgram {
   public:
-    /// Plans the axes and looks at every move, so that writing cannot fail. What is given must outlive the
-    /// program. The error names the place in the path's file.
+    /// Plans the axes and checks every move, so that writing cannot fail. The arguments must outlive the
+    /// program. The error names the source location in the path's file.
     static tl::expected<PathProgram, std::string> plan(const path::PathFile& file,
                                                        const machine::Machine& machine,
                                                        const codegen::Post& post,
                                                        const PathProgramOptions& options);
 
-    /// What the user should know: pieces, unwinding, actions and values that the post has no words for.
+    /// Returns messages for the user: sub-segments, unwinding, actions and values for which the post has no
+    /// words.
     const std::vector<std::string>& notes() const { return notes_; }
-    /// The files to write beside the main one.
+    /// Returns the files to write in addition to the main one.
     std::vector<std::string> file_names() const;
-    /// Writes all; `sink_of` gives where the text of a file goes, "" for the main one.
+    /// Writes all files; `sink_of` returns the target for the text of a file, "" for the main one.
     void write(const std::function<codegen::GcodeWriter::Sink(const std::string& file)>& sink_of) const;
 
   private:

@@ -38,7 +38,7 @@ tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::
         .and_then([&](const std::string& text) { return codegen::read_post(text, *file); });
 }
 
-// Those of the machine's settings, unless the request names others.
+// Uses those of the machine's settings, unless the request names others.
 tl::expected<void, std::string> read_data(const PathRequest& request, MachineInput& input) {
     if (request.machine_data.empty()) return {};
     const auto file = find_name(request.host, NameKind::sample, request.machine_data);
@@ -68,7 +68,7 @@ PathProgramOptions options_of(const PathRequest& request, const path::Program& p
 
 }  // namespace
 
-// What a PathProgram is given stays where it is.
+// The arguments of a PathProgram must keep their address.
 class PathTranslation::State {
   public:
     State(PathRequest request, std::string file, codegen::Post post, MachineInput machine)

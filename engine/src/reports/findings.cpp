@@ -23,7 +23,8 @@ std::string as_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// A file's name as a reference (RFC 3986): what is not plain in a path is written as its bytes.
+/// Returns a file's name as a reference (RFC 3986): characters that are not plain in a path are written as
+/// bytes.
 std::string as_uri(std::string_view name) {
     std::string uri = name.starts_with('/') ? "file://" : "";
     for (const char c : name) {

@@ -10,7 +10,7 @@
 
 namespace gsim::engine {
 
-/// One of both.
+/// Exactly one of both is set.
 struct Report::Whole {
     std::optional<simulation::Report> one = {};
     std::optional<simulation::RobotsReport> robots = {};

@@ -9,7 +9,7 @@
 
 namespace gsim::engine {
 
-/// The aliases of machine data as the lexer takes them; the error is a sentence.
+/// Returns the aliases of machine data in the form of the lexer; the error is a message.
 tl::expected<lexer::Aliases, std::string> aliases_of(const machine::MachineData& data);
 
 }  // namespace gsim::engine

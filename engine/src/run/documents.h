@@ -23,32 +23,32 @@
 
 namespace gsim::engine {
 
-/// Why nothing can tell of forces, as a sentence.
+/// Message if no output can contain forces.
 inline constexpr std::string_view kNoMasses =
     "forces are asked for, and the machine file has no [dynamics] that tells of masses";
 
-/// The same of following errors.
+/// Message for following errors.
 inline constexpr std::string_view kNoServos =
     "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
     "(position_gain_1_s)";
 
-/// What a run of one machine writes and hands out, attached to its simulator.
+/// The outputs and results of a run of one machine, attached to its simulator.
 class Documents {
   public:
-    /// `simulator` must not have moved yet, and must outlive this.
+    /// `simulator` must not have moved yet, and must outlive this object.
     explicit Documents(simulation::Simulator& simulator) : simulator_(simulator) {}
     Documents(const Documents&) = delete;
     Documents& operator=(const Documents&) = delete;
 
-    /// The error is a sentence: this machine has no such document.
+    /// Adds an output. The error is a message: this machine has no such output.
     tl::expected<void, std::string> add(Document document, TextSink sink, const DocumentOptions& options);
-    /// The report will tell where the time goes.
+    /// Makes the report explain the time consumption.
     void explain();
     void add_output(std::unique_ptr<simulation::RunOutput> output);
 
-    /// After the run: adds to the report what was asked for, and what to know of a recorded path.
+    /// Completes the report after the run: adds the requested results, and messages about a recorded path.
     void complete(simulation::Report& report) const;
-    /// After that: gives the sinks what is left. What documents lack.
+    /// Writes the remainder to the sinks, after that. Returns the deficiencies of outputs.
     std::vector<Failure> finish(const simulation::Report& report);
 
   private:
@@ -61,7 +61,7 @@ class Documents {
     tl::expected<void, std::string> write_path(const std::string& program);
     void write_plot(const simulation::Report& report);
 
-    /// What an explanation is made of.
+    /// The inputs of an explanation.
     struct Causes {
         explicit Causes(const machine::Machine& of) : machine(of) {}
         const machine::Machine& machine;

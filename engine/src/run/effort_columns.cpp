@@ -32,7 +32,7 @@ class EffortsOut : public simulation::RunOutput {
     void take(const motion::Segment& segment, const simulation::MoveInfo& info) override {
         line_ = info.place.line;
         std::vector<EffortSample> samples = segments_.samples(segment);
-        if (samples.size() == 1) {  // of a rest, all of which is alike
+        if (samples.size() == 1) {  // standstill: constant everywhere
             samples.push_back(samples.front());
             samples.front().t_s = 0;
             samples.back().t_s = segment.duration_s;
@@ -46,7 +46,7 @@ class EffortsOut : public simulation::RunOutput {
     void end(double /*end_s*/) override { hand_out(); }
 
   private:
-    /// Instants without which straight lines would be too far off.
+    /// Adds the instants that are required to keep straight lines accurate.
     void put_between(const motion::Segment& segment, const EffortSample& from, const EffortSample& to,
                      int halvings) {
         if (halvings == 0 || to.t_s - from.t_s < kShortest_s) return;

@@ -9,7 +9,7 @@
 
 namespace gsim::engine {
 
-/// An output that hands out what the motors bring up as columns. `machine` and `dynamics` outlive it.
+/// Returns an output that delivers motor forces and torques as columns. `machine` and `dynamics` outlive it.
 std::unique_ptr<simulation::RunOutput> hand_out_efforts(TakeEfforts take, const machine::Machine& machine,
                                                         const dynamics::Dynamics& dynamics);
 

@@ -8,7 +8,7 @@
 
 namespace gsim::engine {
 
-/// An output that hands out where axes and tip really are as columns.
+/// Returns an output that delivers the actual positions of axes and TCP as columns.
 std::unique_ptr<simulation::RunOutput> hand_out_following(TakeFollowing take,
                                                           const simulation::FollowingSetup& setup);
 

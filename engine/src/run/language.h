@@ -9,13 +9,13 @@
 
 namespace gsim::engine {
 
-/// What a choice, the machine file and the machine data mean together; the choice goes before what the
-/// machine file says. The error is a sentence.
+/// Returns the combined language of a choice, the machine file and the machine data; the choice has priority
+/// over the machine file. The error is a message.
 tl::expected<Language, std::string> language_of(const LanguageChoice& choice,
                                                 const machine::ProgramTable& program,
                                                 const machine::MachineData& data);
 
-/// mm of a program unit when a run begins.
+/// Returns mm of a program unit at the beginning of a run.
 double start_unit_mm(const Language& language);
 
 }  // namespace gsim::engine

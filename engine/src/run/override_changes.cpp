@@ -19,7 +19,7 @@ using std::string_view_literals::operator""sv;
 constexpr std::array kOverrideFileKeys{"override"sv};
 constexpr std::array kChangeKeys{"at_s"sv, "feed_percent"sv, "rapid_percent"sv, "spindle_percent"sv};
 
-/// What a controller takes of one override.
+/// The values of one override that a controller accepts.
 struct Allowed {
     double least = 0;
     double most = 0;
@@ -40,7 +40,7 @@ struct Allowed {
     }
 };
 
-/// One of the three overrides: its names, what it is in Overrides, and what a controller takes of it.
+/// One of the three overrides: its names, its member in Overrides, and the values that a controller accepts.
 struct Kind {
     std::string_view option;
     std::string_view key;
@@ -64,7 +64,7 @@ constexpr std::array kKindsOfOverride{
          }},
 };
 
-/// Why the controller does not take a value; empty where it does.
+/// Returns why the controller rejects a value; empty if it accepts it.
 std::string fault_of(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
     if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
         return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";

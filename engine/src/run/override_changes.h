@@ -12,13 +12,13 @@
 
 namespace gsim::engine {
 
-/// The overrides of a run on this controller: from its start on as the choice says, then as its file has it.
-/// The error is a sentence; it names the range of the controller, and of a file the place.
+/// Returns the overrides of a run on this controller: at first as in the choice, then as in its file. The
+/// error is a message; it names the range of the controller, and the source location in a file.
 tl::expected<motion::OverrideSchedule, std::string> read_overrides(const os::Files& files,
                                                                    const OverrideChoice& choice,
                                                                    const rrs::ControllerRules& controller);
 
-/// The same of a file's text. `first` holds at the start of the run.
+/// Does the same with a file's text. `first` applies at the start of the run.
 tl::expected<motion::OverrideSchedule, std::string> read_override_changes(
     std::string_view toml_text, std::string_view file_name, const motion::Overrides& first,
     const rrs::ControllerRules& controller);

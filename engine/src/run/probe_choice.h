@@ -10,7 +10,7 @@
 
 namespace gsim::engine {
 
-/// What Request::probe says that probes feel; empty: not given. The error is a sentence.
+/// Returns the contact of probes from Request::probe; empty: not given. The error is a message.
 tl::expected<simulation::ProbeFeels, std::string> read_probe_choice(std::string_view value,
                                                                     const machine::Machine& machine);
 

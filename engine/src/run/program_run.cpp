@@ -9,7 +9,7 @@ namespace gsim::engine {
 
 namespace {
 
-/// As many bytes as this system can count; where that is less, as many as it can.
+/// Returns the number of bytes, limited to the largest number that this system can count.
 std::size_t countable(std::uint64_t bytes) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
     return static_cast<std::size_t>(bytes > kMost ? kMost : bytes);

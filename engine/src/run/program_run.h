@@ -14,26 +14,27 @@ namespace gsim::engine {
 
 using ShowProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// How a request sets the interpreter of scripts up. The request, and what `tell` refers to, must outlive it.
+/// Returns the options of the script interpreter for a request. The request, and everything that `tell`
+/// refers to, must outlive it.
 script::Engine::Options engine_options(const Request& request, machine::MachineData data,
                                        const Language& language, const RunTools& tools);
 
-/// The bounds of a simulator.
+/// Returns the limits of a simulator.
 simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu);
 
-/// One program on one simulated machine, made of what was read for it.
+/// One program on one simulated machine, made of the inputs that were read for it.
 class ProgramRun {
   public:
-    /// Nothing has moved yet; all that is given must outlive the run.
+    /// Creates a run before any motion; all arguments must outlive it.
     ProgramRun(const FoundRequest& found, RunInputs inputs, const RunTools& tools, ShowProgress progress);
 
     simulation::Simulator& simulator() { return simulator_; }
     script::Engine& engine() { return engine_; }
     machine::MachineDataDocument& document() { return document_; }
-    /// Name of the program.
+    /// Returns the name of the program.
     const std::string& program() const { return program_; }
 
-    /// Runs to the end, an alarm or a limit; what happened.
+    /// Runs to the end, an alarm or a limit; returns the report.
     simulation::Report run();
 
   private:

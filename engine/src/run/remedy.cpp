@@ -14,14 +14,14 @@ namespace {
 
 using simulation::OffsetShift;
 
-// Where RS274/NGC keeps its work offsets, in inches: #5221 is X of G54.
+// First work offset variable of RS274/NGC, in inches: #5221 is X of G54.
 constexpr int kFirstOffset = 5221;
 constexpr int kVariablesOfOffset = 20;
 constexpr double kMmOfVariable = kMmPerInch;
 constexpr std::array<std::string_view, 9> kOffsetNames{"54", "55",   "56",   "57",  "58",
                                                        "59", "59.1", "59.2", "59.3"};
 
-/// The variable of a work offset's X, Y or Z, where the data have it.
+/// Returns the variable of a work offset's X, Y or Z, if the data have it.
 double* variable_of(machine::MachineData& data, std::string_view code, char axis) {
     const auto name = std::find(kOffsetNames.begin(), kOffsetNames.end(), code);
     if (name == kOffsetNames.end() || axis < 'X' || axis > 'Z') return nullptr;
@@ -72,7 +72,7 @@ bool Remedy::mends(const std::vector<OffsetShift>& shifts) const {
     simulation::Simulator simulator(machine_, limits);
     simulator.set_cell(**cell);
     simulator.set_probe(probe_);
-    const TellDiagnostic tell = [](const text::Diagnostic&) {};  // the first run has told them
+    const TellDiagnostic tell = [](const text::Diagnostic&) {};  // the first run has reported them
     script::Engine::Options options =
         engine_options(found_.request, std::move(data), language_, {.cpu = cpu_, .tell = tell});
     options.setup = setup_;

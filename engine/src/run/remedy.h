@@ -7,15 +7,15 @@
 
 namespace gsim::engine {
 
-/// What a second run of a program needs, kept before the first one uses its inputs up.
+/// The inputs of a second run of a program, saved before the first one consumes them.
 class Remedy {
   public:
-    /// `found` and `cpu` must outlive this.
+    /// `found` and `cpu` must outlive this object.
     Remedy(const FoundRequest& found, const RunInputs& inputs, os::CpuLimit& cpu);
 
-    /// Where the run has violations and came to its end: runs the program again with the shifts of work
-    /// offsets that these suggest, and puts them into the report as its remedy where nothing is past a limit
-    /// or a zone then. With a controller module it does nothing.
+    /// If the run has violations and reached its end: runs the program again with the shifts of work offsets
+    /// that these suggest. If that run exceeds no limit or zone, adds the shifts to the report as its
+    /// suggested fix. Does nothing with a controller module.
     void look_for(simulation::Report& report) const;
 
   private:

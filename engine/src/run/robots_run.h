@@ -19,7 +19,7 @@ namespace gsim::engine {
 /// A script that moves several robots.
 class RobotsRun {
   public:
-    /// All that one robot needs for the run; it stays where it is.
+    /// All data of one robot for the run; it keeps its address.
     struct Station {
         process::RobotEntry entry;
         std::unique_ptr<simulation::CellWatch> cell;
@@ -28,7 +28,7 @@ class RobotsRun {
         machine::MachineData data;
     };
 
-    /// Reads the file of robots, and what it names. What is given must outlive the run.
+    /// Reads the file of robots, and the files that it names. The arguments must outlive the run.
     static tl::expected<RobotsRun, InputError> open(const FoundRequest& found, const RunTools& tools);
 
     std::vector<Station>& stations() { return stations_; }
@@ -37,9 +37,9 @@ class RobotsRun {
 
     /// Reads the program.
     tl::expected<void, InputError> prepare(OpenedScript& opened, ShowProgress progress);
-    /// Runs it. Reports of the robots, in their order, without what documents add.
+    /// Runs it. Returns the reports of the robots, in their order, without the additions of outputs.
     std::vector<simulation::RobotReport> run();
-    /// The whole, of the reports of the robots.
+    /// Returns the complete report, from the reports of the robots.
     simulation::RobotsReport whole(std::vector<simulation::RobotReport> robots) const;
 
   private:

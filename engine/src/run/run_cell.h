@@ -12,28 +12,28 @@
 
 namespace gsim::engine {
 
-/// What a run or a study of a machine is to look at.
+/// The bodies that a run or a study of a machine checks.
 struct CellChoice {
     std::string file;        ///< The cell file; empty: none, the machine's own bodies alone.
-    std::string text;        ///< What stands in it.
+    std::string text;        ///< Its contents.
     bool collisions = true;  ///< Else bodies are not looked at.
     cell::MeshFiles files = {};
-    /// The cell of a run as it was read before, by read_cell_of_run(); null: it is to be read.
+    /// The cell of a run that was read before, by read_cell_of_run(); null: not yet read.
     std::shared_ptr<const cell::Cell> read = nullptr;
 };
 
-/// Where meshes come from.
+/// Returns the source of meshes.
 cell::MeshFiles mesh_files(const Host& host);
 
-/// The bodies to look at. Meshes of the machine are read here; the error is a sentence.
+/// Returns the bodies to check. It reads meshes of the machine; the error is a message.
 tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine);
 
-/// What the cell of a run consists of. `conveyors` as in cell::load_cell(). The error is a sentence.
+/// Returns the contents of the cell of a run. `conveyors` as in cell::load_cell(). The error is a message.
 tl::expected<cell::Cell, std::string> read_cell_of_run(const CellChoice& choice,
                                                        const machine::Machine& machine,
                                                        std::span<const std::string> conveyors = {});
 
-/// The cell of a run, which has the frames of the machine at least. The error is a sentence.
+/// Returns the cell of a run, which has at least the frames of the machine. The error is a message.
 tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
     const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors = {});
 

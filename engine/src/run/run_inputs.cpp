@@ -27,7 +27,7 @@ tl::expected<machine::MachineData, std::string> with_variables(const Request& re
         });
 }
 
-// What the request does not say itself.
+// Sets the values that the request itself does not contain.
 void take_files_of_cell(FoundRequest& found, const cell::CellFiles& files) {
     Request& request = found.request;
     if (request.machine.empty()) {

@@ -18,13 +18,13 @@
 
 namespace gsim::engine {
 
-/// What a run has beside its request, while it lasts.
+/// Resources of a run in addition to its request.
 struct RunTools {
     os::CpuLimit& cpu;
-    const TellDiagnostic& tell;  ///< Gets what is wrong with programs' texts.
+    const TellDiagnostic& tell;  ///< Receives errors in programs' texts.
 };
 
-/// A request with the files that its names mean, and those that its cell names.
+/// A request with the files of its names, and those that its cell names.
 struct FoundRequest {
     Request request;
     std::string cell_text = {};                                ///< Read once: it may be a pipe.
@@ -32,22 +32,22 @@ struct FoundRequest {
     os::NamedBy machine_data_named_by = os::NamedBy::command_line;
 };
 
-/// Why parts of a request do not go together, as a sentence; empty where they do.
+/// Returns a message if parts of a request conflict; empty if they do not.
 std::string find_contradiction(const Request& request);
 
-/// The error is a sentence.
+/// Returns the request with its files. The error is a message.
 tl::expected<FoundRequest, std::string> with_files_found(Request request);
 
-/// The same of what a request says of the machine and what stands around it, without the rest.
+/// Does the same for the machine of a request and its surroundings, without the remainder.
 tl::expected<FoundRequest, std::string> with_machine_files_found(const Request& request);
 
-/// The names alone, without those of the cell and of the program.
+/// Resolves the names alone, without those of the cell and of the program.
 tl::expected<Request, std::string> with_names_found(Request request);
 
-/// The cell that is looked at.
+/// Returns the cell to check.
 CellChoice cell_choice(const FoundRequest& found);
 
-/// All that a run reads before the machine moves.
+/// All inputs that a run reads before the machine moves.
 struct RunInputs {
     machine::Machine machine;
     machine::MachineDataDocument document;
@@ -55,19 +55,19 @@ struct RunInputs {
     Language language;
     script::Script program;
     std::optional<script::Script> setup;
-    std::optional<rrs::RcsModule> module;  ///< Where a controller module is asked for.
+    std::optional<rrs::RcsModule> module;  ///< Set if a controller module is requested.
     std::unique_ptr<simulation::CellWatch> cell;
     simulation::ProbeFeels probe;
     motion::OverrideSchedule overrides;
 };
 
-/// The machine data of a request, or of what it takes in their place; empty where there are none. The error
-/// is a sentence.
+/// Returns the machine data of a request, or those that replace them; empty if it has none. The error is a
+/// message.
 tl::expected<machine::MachineDataDocument, std::string> read_data_of(const FoundRequest& found,
                                                                      const MachineInput& input);
 
-/// The controller module that is asked for, made for the machine; nothing where none is. The error is a
-/// sentence.
+/// Returns the requested controller module, made for the machine; nothing if none is requested. The error is
+/// a message.
 tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
                                                                      const machine::Machine& machine);
 
@@ -76,7 +76,7 @@ tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, M
                                                     std::shared_ptr<const cell::Cell> cell,
                                                     OpenedScript& opened, const RunTools& tools);
 
-/// The setup of a run, where one is asked for.
+/// Returns the setup of a run, if one is requested.
 tl::expected<std::optional<script::Script>, InputError> read_setup(const Request& request,
                                                                    const Language& language,
                                                                    const TellDiagnostic& tell);

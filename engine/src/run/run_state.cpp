@@ -39,7 +39,7 @@ tl::expected<void, Failure> Run::State::open_one() {
     return open_dynamics();
 }
 
-/// Reads meshes of bodies that have masses.
+/// Reads meshes of bodies with masses.
 tl::expected<void, Failure> Run::State::open_dynamics() {
     auto dynamics = simulation::make_dynamics(machine_->machine, mesh_files(found_.request.host));
     if (!dynamics)
@@ -68,7 +68,7 @@ tl::expected<void, Failure> Run::State::open_on(const Machine::Parts& parts) {
     });
 }
 
-/// Before a program is confined, which takes from it what a module may reach.
+/// Called before a program is confined, because confinement blocks resources that a module may use.
 tl::expected<void, Failure> Run::State::open_module() {
     auto module = load_module(found_.request, machine_->machine);
     if (!module) return tl::unexpected(failure_of(DiagnosticKind::input_file, module.error()));

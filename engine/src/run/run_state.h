@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands behind a Run.
+// The implementation of a Run.
 
 #include <memory>
 #include <optional>
@@ -62,7 +62,7 @@ class Run::State {
     }
     simulation::Report run_one();
     simulation::RobotsReport run_robots();
-    /// What is kept of a run of one robot; nothing else is.
+    /// Returns the kept data of a run of one robot; other runs keep no data.
     tl::expected<ProgramRun*, Failure> kept();
 
     FoundRequest found_;

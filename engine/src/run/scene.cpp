@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
-/// Columns one behind the other, as most drawing libraries take a matrix.
+/// The columns follow each other, because most drawing libraries expect that order.
 Json matrix(const rrs::CartPos& pose) {
     Json json = Json::array();
     for (Eigen::Index i = 0; i < 16; ++i) json.push_back(pose.matrix().data()[i]);
@@ -61,8 +61,8 @@ Json branch(const kinematics::Branch& branch) {
     return {{"base", matrix(branch.base)}, {"links", std::move(links)}, {"end", matrix(branch.end)}};
 }
 
-/// From X, Y and Z of the machine (mm) to the work frame, all other axes at 0; nothing where there are not
-/// three slides.
+/// Returns the map from X, Y and Z of the machine (mm) to the work frame, all other axes at 0; nothing
+/// without three linear axes.
 Json axis_space(const machine::Machine& machine) {
     const motion::PlannerSetup setup = simulation::setup_of_machine(machine);
     rrs::JointPos joints(setup.joint_count());
@@ -142,7 +142,7 @@ Json bodies(const cell::Cell& cell, Scene& scene) {
     return list;
 }
 
-/// Frames of the machine go with a link: number 0 is the world, number i what axis i - 1 moves. The others
+/// Frames of the machine move with a link: number 0 is the world, number i is moved by axis i - 1. The others
 /// are attached to another frame.
 Json frames(const cell::FrameTree& tree) {
     Json list = Json::array();

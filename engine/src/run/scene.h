@@ -5,7 +5,7 @@
 
 namespace gsim::engine {
 
-/// The scene of a simulator, with what it has seen so far of frames that go by themselves. `base`: of the
+/// Returns the scene of a simulator, with the independent motion of frames so far. `base`: pose of the
 /// machine's world in that of all robots.
 Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base = rrs::CartPos::Identity());
 

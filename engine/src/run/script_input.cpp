@@ -26,7 +26,7 @@ bool has_extension(const std::string& path, std::string_view extension) {
     return fs::path(path).extension() == extension;
 }
 
-/// Tells Lua from G-code by the first line that says something: no block of G-code begins like these.
+/// Distinguishes Lua from G-code by the first significant line: no block of G-code begins like these.
 bool looks_like_lua(const lexer::Source& source) {
     std::uint64_t offset = 0;
     while (offset < source.size() && offset < kLookedAtBytes) {
@@ -54,7 +54,7 @@ std::string read_all(lexer::Source& source) {
     return text;
 }
 
-/// The text is held, and once more while it is compiled.
+/// The text is held in memory, and a second time while it is compiled.
 tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
     if (source.size() > memory_bytes / 2) {
         return tl::unexpected(
@@ -73,8 +73,8 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
     const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
     const bool klipper = requires_name("gsim.klipper");
     const bool inch = ngc_inch || requires_name("gsim.inch");
-    // Where it comes from is what its first line says, which anybody may have written: a file that was opened
-    // is named too.
+    // The first line names the source, but anybody may have written it, so the name of an opened file is
+    // added.
     const bool is_file = source.name() != lexer::Source::kStandardInput;
     const std::string from =
         is_file ? fmt::format("{}: {}", source.name(), origin.source_name) : origin.source_name;
@@ -122,7 +122,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source,
     return script;
 }
 
-/// "wheel" of wheel.nc, and of wheel_O0001.ppg.
+/// Returns "wheel" of wheel.nc, and of wheel_O0001.ppg.
 std::string head_name(const fs::path& main_path) {
     const std::string stem = main_path.stem().string();
     const std::size_t mark = stem.rfind("_O");
@@ -139,21 +139,22 @@ bool is_number(std::string_view name) {
            name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Why a file there must not be read: links lead out of the folder. Nothing where it may.
+/// Returns why a file there must not be read: links lead out of the folder. Nothing if it may be read.
 std::optional<std::string> find_way_out(const os::Files& files, const fs::path& folder,
                                         const fs::path& name) {
     if (files.is_within(folder, name)) return std::nullopt;
     return fmt::format("{} is a link that leads out of the folder of the script", name.string());
 }
 
-/// Files that may hold the program with this number or, in RS274/NGC, the subroutine with this name.
+/// Returns files that may contain the program with this number or, in RS274/NGC, the subroutine with this
+/// name.
 std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& wanted) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& base) {
         for (const char* extension : kExtensions) names.push_back(base + extension);
         names.push_back(base);
     };
-    if (wanted.find_first_of("/\\") != std::string::npos) return names;  // beside the program, not elsewhere
+    if (wanted.find_first_of("/\\") != std::string::npos) return names;  // next to the program, not elsewhere
     if (std::any_of(kExtensions.begin(), kExtensions.end(),
                     [&](const char* extension) { return has_extension(wanted, extension); })) {
         names.push_back(wanted);
@@ -238,7 +239,7 @@ script::FindProgram program_finder(const os::Files& files, const std::string& ma
 
 namespace {
 
-/// "lib/shapes.lua" for "lib.shapes"; nothing for what is no name of a module.
+/// Returns "lib/shapes.lua" for "lib.shapes"; nothing if it is no name of a module.
 std::optional<fs::path> module_file(const std::string& name) {
     const auto is_part_of_name = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

@@ -19,32 +19,33 @@
 
 namespace gsim::engine {
 
-/// Who is told what is wrong with a program's text.
+/// Receives the errors in a program's text.
 using TellDiagnostic = std::function<void(const text::Diagnostic&)>;
 
-/// Why an input cannot be run: a file that cannot be read (usage), or a program with errors, which have been
-/// told.
+/// The reason why an input cannot be run: a file that cannot be read (usage), or a program with errors, which
+/// have been reported.
 struct InputError {
     bool in_program = false;
     std::string message;
-    std::string file = {};  ///< Of the input; empty where the message names it.
+    std::string file = {};  ///< Name of the input; empty if the message names it.
     text::DiagnosticKind kind = text::DiagnosticKind::file;
-    std::optional<text::Diagnostic> first_error = {};  ///< Of a program.
+    std::optional<text::Diagnostic> first_error = {};  ///< First program error.
 };
 
-/// How G-code is read: the language, the names that the machine data give to codes, and what to make of codes
+/// Options for reading G-code: the language, the code names from the machine data, and the handling of codes
 /// that the language does not have.
 struct Language {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
     lexer::Aliases aliases;
     codegen::Unknown unknown = codegen::Unknown::error;
-    std::optional<machine::ProgramUnits> units;  ///< In force at the start; none: not said, which is mm.
-    std::uint64_t memory_bytes = Limits{}.memory_bytes;  ///< Of the run, for its scripts and their texts.
-    os::CpuLimit* cpu = nullptr;                         ///< Of the run that translates, if it has one.
-    std::string caution;  ///< Where the control's own language is only near to the dialect: a sentence.
+    std::optional<machine::ProgramUnits> units;  ///< Active at the start; none: not specified, which is mm.
+    std::uint64_t memory_bytes =
+        Limits{}.memory_bytes;    ///< Memory of the run, for its scripts and their texts.
+    os::CpuLimit* cpu = nullptr;  ///< Limit of the run that translates, if it has one.
+    std::string caution;  ///< A message if the controller's own language is only similar to the dialect.
 };
 
-/// A script or program that is open, with all that reading it takes of the file system.
+/// A script or program that is open, with all file system resources that are needed for reading it.
 struct OpenedScript {
     lexer::Source source;
     bool is_lua = false;
@@ -55,18 +56,19 @@ struct OpenedScript {
 tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
                                                    os::NamedBy named_by = os::NamedBy::command_line);
 
-/// A text that is no file, which is looked at to tell whether it is Lua.
+/// Opens a text that is not a file, after a check for Lua.
 OpenedScript opened_text(lexer::Source text);
 
-/// Reads it; G-code is translated. Once.
+/// Reads it and translates G-code. To be called once.
 tl::expected<script::Script, InputError> read_script(OpenedScript& opened, const Language& language,
                                                      const TellDiagnostic& tell);
 
-/// Both.
+/// Opens and reads it.
 tl::expected<script::Script, InputError> read_script(const os::Files& files, const std::string& path,
                                                      const Language& language, const TellDiagnostic& tell);
 
-/// The folder of a main program ("-": a text that is no file), in which all lie that it calls.
+/// Returns the folder of a main program ("-": a text that is not a file), which contains all programs that it
+/// calls.
 std::filesystem::path folder_of_program(const std::string& main_path);
 
 /// Finds the file of a program that is called but not in the script: O0002.nc and the like, or
@@ -75,8 +77,8 @@ script::FindProgram program_finder(const os::Files& files, const std::string& ma
                                    const Language& language, const TellDiagnostic& tell);
 
 /// Finds modules of scripts: `shapes` is shapes.lua in the folder of the main program, `lib.shapes`
-/// lib/shapes.lua. Nothing is found outside of that folder, and nothing that the run's memory is too small
-/// for; the errors are sentences. `files` outlive what is found.
+/// lib/shapes.lua. It finds no files outside of that folder, and none that exceed the run's memory; the
+/// errors are messages. `files` must outlive the returned function.
 script::FindProgram module_finder(const os::Files& files, const std::string& main_path,
                                   std::uint64_t memory_bytes);
 

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the drawn way, in mm.
+/// Tolerance of the drawn path, in mm.
 constexpr double kDrawn_mm = 0.01;
-/// Of a chunk's vertices, from where on it is handed out: a helix may have any number of them.
+/// Number of vertices at which a chunk is delivered: a helix may have any number of them.
 constexpr std::size_t kMostVertices = std::size_t{1} << 18U;
 
 void put(std::vector<double>& values, const Vector3d& vector) {

@@ -9,7 +9,8 @@
 
 namespace gsim::engine {
 
-/// An output that hands out segments as columns. `machine` and the tips that MoveInfo::tip counts outlive it.
+/// Returns an output that delivers segments as columns. `machine`, and the TCPs that MoveInfo::tip indexes,
+/// outlive it.
 std::unique_ptr<simulation::RunOutput> hand_out_columns(TakeColumns take, const machine::Machine& machine,
                                                         const std::vector<Eigen::Vector3d>& tips_mm);
 

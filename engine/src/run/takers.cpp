@@ -59,7 +59,7 @@ class MovesOut final : public simulation::RunOutput {
 
   private:
     void hand_out() {
-        // Names may have moved while the chunk grew.
+        // The names may have moved in memory while the chunk grew.
         for (std::size_t i = 0; i < chunk_.size(); ++i) {
             if (file_of_[i] < files_.size()) chunk_[i].file = files_[file_of_[i]];
         }
@@ -85,7 +85,7 @@ class SegmentsOut final : public simulation::RunOutput {
 
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override {
-        exact_.push_back(segment);  // within what is reserved: the others stay where they are
+        exact_.push_back(segment);  // within the reserved size: the others keep their address
         chunk_.emplace_back(exact_.back(), machine_, info.place.line, info.jet_on);
         if (chunk_.size() == kChunk) hand_out();
     }

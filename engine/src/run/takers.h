@@ -11,11 +11,12 @@
 
 namespace gsim::engine {
 
-/// Outputs that hand out a run in chunks. `machine` and `files`, the names that places index, outlive them.
+/// Return outputs that deliver a run in chunks. `machine` and `files`, the names that source locations index,
+/// outlive them.
 std::unique_ptr<simulation::RunOutput> hand_out_moves(TakeMoves take, const machine::Machine& machine,
                                                       const std::vector<std::string>& files);
 std::unique_ptr<simulation::RunOutput> hand_out_segments(TakeSegments take, const machine::Machine& machine);
-/// Past `max_time_s`, where a run ends, there is the last instant alone.
+/// Delivers only the last instant after `max_time_s`, at which a run ends.
 std::unique_ptr<simulation::RunOutput> hand_out_samples(TakeSamples take, const machine::Machine& machine,
                                                         double step_s, double max_time_s);
 

@@ -6,10 +6,10 @@
 
 namespace gsim::engine {
 
-/// Translates a program; `tell` gets the diagnostics. Behind those of a program that fails comes a note, if
-/// it looks like one of another dialect; behind those of one that does not, warnings of a control whose
-/// language is only near to the dialect, and of inches that are read as mm. `options` has what the language
-/// does not say.
+/// Translates a program; `tell` receives the diagnostics. For a program with errors, a note follows if it
+/// looks like one of another dialect. For a program without errors, warnings follow about a controller whose
+/// language is only similar to the dialect, and about inches that are read as mm. `options` contains the
+/// settings that the language does not.
 codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& spool,
                                       const Language& language, codegen::TranslateOptions options,
                                       const TellDiagnostic& tell);

@@ -24,7 +24,7 @@ std::string told(Compensation compensation) {
     return "";
 }
 
-/// Plain motions are C++, and arguments of macros are looked at where they are given to variables.
+/// Plain motions are C++, and arguments of macros are checked when they are assigned to variables.
 bool looks_by_itself(const Code& code) {
     constexpr std::array kPlain{0, 10, 20, 30};
     const bool is_plain =

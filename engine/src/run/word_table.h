@@ -7,7 +7,7 @@
 
 namespace gsim::engine {
 
-/// The codes of a dialect as the library in Lua takes them; of user codes there are none.
+/// Returns the codes of a dialect in the form of the Lua library, without user codes.
 std::vector<script::CodeRow> word_table(const grammar::Dialect& dialect);
 
 }  // namespace gsim::engine

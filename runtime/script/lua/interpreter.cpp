@@ -202,8 +202,8 @@ void Interpreter::refuse_word(std::string_view key, std::optional<double> value,
                fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, taken)));
 }
 
-/// With a matrix in force `target` is in program coordinates here, else in machine coordinates. False where
-/// the target is in polar form.
+/// `target` is in program coordinates here if a matrix is active, else in machine coordinates. Returns false
+/// if the target is in polar form.
 bool Interpreter::read_words(lua_State* state, int index, OtherWords* others, AxisVector& target,
                              std::uint32_t& seen) {
     word_fault_.reset();

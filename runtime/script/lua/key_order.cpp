@@ -12,7 +12,7 @@ namespace gsim::script {
 
 namespace {
 
-/// Work of looking at one key, as LuaState::charge() counts it.
+/// Work to check one key, as LuaState::charge() counts it.
 constexpr std::uint64_t kBytesOfKey = 256;
 
 enum class Rank : std::uint8_t { number, text, no, yes, table, other };
@@ -20,14 +20,14 @@ enum class Rank : std::uint8_t { number, text, no, yes, table, other };
 struct Key {
     Rank rank = Rank::other;
     bool integer = false;
-    lua_Integer whole = 0;       ///< Of an integer.
-    lua_Number number = 0;       ///< Of another number.
+    lua_Integer whole = 0;       ///< Value of an integer.
+    lua_Number number = 0;       ///< Value of another number.
     std::string_view text = {};  ///< As long as the table holds it.
-    std::uint64_t serial = 0;    ///< Of a table.
+    std::uint64_t serial = 0;    ///< Serial of a table.
     lua_Integer found = 0;       ///< The how many-th of its table it is, by Lua's order.
 };
 
-/// Exact where one is an integer and the other is not, too: a long double has all digits of both.
+/// Compares exactly even if one is an integer and the other is not: a long double has all digits of both.
 std::partial_ordering order_of_numbers(const Key& a, const Key& b) {
     if (a.integer && b.integer) return a.whole <=> b.whole;
     const auto value = [](const Key& key) {
@@ -75,7 +75,7 @@ Key key_at(lua_State* state, int index) {
     return key;
 }
 
-/// Refuses a second key whose place among the others is not known.
+/// Raises an error for a second key that has no known position among the others.
 void count_others(lua_State* state, const Key& key, int& others) {
     if (key.rank != Rank::other || ++others < 2) return;
     luaL_error(state,
@@ -98,7 +98,7 @@ Survey survey(lua_State* state) {
     return found;
 }
 
-/// Goes on with the list 1, 2, ..; upvalues: how long it is, and where it has come to.
+/// Continues the list 1, 2, ..; upvalues: its length, and the current position.
 int next_of_sequence(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     const lua_Integer count = lua_tointeger(state, lua_upvalueindex(1));
@@ -118,7 +118,7 @@ int next_of_sequence(lua_State* state) {
     return 0;
 }
 
-/// Goes on through keys in their order; upvalues: their list, and where it has come to.
+/// Continues through keys in their order; upvalues: their list, and the current position.
 int next_of_keys(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     lua_Integer at = lua_tointeger(state, lua_upvalueindex(2));
@@ -138,7 +138,7 @@ int next_of_keys(lua_State* state) {
 /// Pushes the list of a table's keys in their order.
 void push_keys(lua_State* state, lua_Integer count) {
     const auto size = static_cast<std::size_t>(count);
-    // In Lua's memory, so that it counts, and is let go of where an error passes.
+    // Lua owns the memory, so it counts and is released if an error passes.
     auto* const memory = static_cast<Key*>(lua_newuserdatauv(state, size * sizeof(Key), 0));
     const std::span<Key> keys(memory, size);
     lua_createtable(state, static_cast<int>(count), 0);
@@ -187,7 +187,7 @@ int ordered_next(lua_State* state) {
     const bool first = lua_isnil(state, 2);
     int others = 0;
     const Key after = key_at(state, 2);
-    lua_pushnil(state);  // 3: the least key so far, and
+    lua_pushnil(state);  // 3: the smallest key so far, and
     lua_pushnil(state);  // 4: its value
     Key least;
     std::uint64_t count = 0;

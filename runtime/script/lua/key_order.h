@@ -4,14 +4,14 @@
 
 namespace gsim::script {
 
-// Lua goes through a table in an order that its hashes give, which differ from process to process. These go
-// through it by its keys: numbers, then texts by their bytes, false, true, then tables in the order in which
-// they were made. Of other keys (functions, userdata) a table may have one.
+// Lua visits a table in an order that depends on its hashes, which differ from process to process. These
+// functions visit it by its keys: numbers, then texts by their bytes, false, true, then tables in the order
+// of their creation. A table may have one key of other types (functions, userdata).
 
-/// pairs(t). Entries that are added meanwhile are not visited.
+/// Implements pairs(t). Entries that are added meanwhile are not visited.
 int ordered_pairs(lua_State* state);
-/// next(t, key): the entry with the least key, or with the least one behind `key`. It looks at the whole
-/// table.
+/// Implements next(t, key): returns the entry with the smallest key, or with the smallest one after `key`. It
+/// scans the full table.
 int ordered_next(lua_State* state);
 
 }  // namespace gsim::script

@@ -14,21 +14,21 @@
 
 namespace gsim::script {
 
-/// Where the files of the library in Lua come from: built in, or a folder that a user has changed.
+/// Source of the files of the Lua library: built in, or a folder that a user has changed.
 class Library {
   public:
-    /// The files that are built in.
+    /// Uses the built-in files.
     Library() = default;
-    /// The same, compiled once for all that share it.
+    /// Uses the built-in files, compiled once for all that share it.
     explicit Library(std::shared_ptr<CompiledLibrary> compiled) : compiled_(std::move(compiled)) {}
-    /// Those of a folder of `files`, which outlive this.
+    /// Uses the files of a folder of `files`, which must outlive this object.
     explicit Library(std::filesystem::path folder, const os::Files& files = os::disk())
         : folder_(std::move(folder)), folder_files_(&files) {}
 
-    /// The text of one file, such as "init.lua"; the error is a sentence for the user.
+    /// Returns the text of one file, such as "init.lua"; the error is a message for the user.
     tl::expected<std::string, std::string> read(std::string_view file_name) const;
 
-    /// Null: each file is compiled where it is needed.
+    /// Returns null if each file is compiled when it is needed.
     CompiledLibrary* compiled() const { return compiled_.get(); }
 
   private:

@@ -13,10 +13,10 @@ namespace gsim::script {
 namespace {
 
 constexpr std::size_t kBytesPerStep = 64;
-/// Of the longest string: what an instruction may look at and still count as one.
+/// Size of the longest string that an instruction may read and still count as one.
 constexpr std::uint64_t kBytesOfOneStep = std::uint64_t{64} << 10U;
 
-/// Its address is the value of an error that no script can make or tell from another.
+/// Its address is the value of an error that no script can create or distinguish from another.
 char stop_mark = 0;
 
 constexpr const char* kScript = "the script";
@@ -47,7 +47,7 @@ LuaState& LuaState::of(lua_State* state) {
     return **static_cast<LuaState**>(lua_getextraspace(state));
 }
 
-/// As realloc() does, with sizes above 0.
+/// Resizes a block like realloc(), with sizes above 0.
 void* LuaState::resize(void* block, std::size_t held, std::size_t new_size) {
     if (held > SmallBlocks::kLargest && new_size > SmallBlocks::kLargest)
         return std::realloc(block, new_size);
@@ -93,7 +93,8 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     return grown;
 }
 
-/// Lua says what it makes an object for. Its number goes behind the object, where a small block has room.
+/// Lua reports the type of the object that it allocates. The number is stored after the object, if a small
+/// block has the space.
 void LuaState::number_table(void* table, std::size_t size) {
     if (SmallBlocks::spare_bytes(size) < sizeof tables_) return;
     ++tables_;
@@ -141,8 +142,8 @@ std::size_t& LuaState::held_for(const char* what) {
     return found != held_.end() ? found->bytes : held_.emplace_back(Held{what, 0}).bytes;
 }
 
-/// What more than half of the memory is kept for outside of Lua, which then is what needs too much, whoever
-/// asks for the last of it; or null.
+/// Returns what holds more than half of the memory outside of Lua, or null. That is reported as the consumer
+/// that needs too much, even if another one requests the last part.
 const char* LuaState::holder_of_most() const {
     for (const Held& held : held_) {
         if (held.bytes > bytes_ / 2) return held.what;
@@ -161,7 +162,7 @@ std::string LuaState::memory_refusal() const {
 
 void LuaState::count_work(std::uint64_t bytes) {
     steps_ += bytes / kBytesPerStep;
-    // Past the limit the very next instruction shall look at it.
+    // The very next instruction after the limit must check it.
     if (steps_ > limits_.steps && running_ != nullptr) set_hook(running_, 1);
 }
 
@@ -186,7 +187,7 @@ void LuaState::set_running(lua_State* thread) {
     if (lua_gethookcount(thread) > steps_between_counts()) set_hook(thread, steps_between_counts());
 }
 
-/// Lines stay watched where they are. Threads get the hook of the main one when they are made.
+/// Line hooks stay as they are. Threads get the hook of the main one when they are created.
 void LuaState::set_hook(lua_State* thread, int steps) {
     lua_sethook(thread, on_hook, LUA_MASKCOUNT | (lua_gethookmask(thread) & LUA_MASKLINE), steps);
 }

@@ -14,21 +14,21 @@
 
 namespace gsim::script {
 
-/// A Lua state that counts its memory and its steps. Running out of either cannot be caught by a script: what
-/// is raised then is kStop, which the sandbox's pcall passes on.
+/// Lua state that counts its memory and its steps. A script cannot catch the exhaustion of either: it raises
+/// kStop, which the sandbox's pcall passes on.
 class LuaState {
   public:
     struct Limits {
         std::size_t memory_bytes = std::size_t{2048} << 20U;
         std::uint64_t steps = 200'000'000;  ///< Instructions without a motion or a dwell in between.
     };
-    /// Why kStop was raised, where it was the state itself that raised it.
+    /// Reason why the state itself raised kStop.
     enum class Ended : std::uint8_t { no, memory, steps, cpu };
 
-    /// What one value costs to copy, of the many that a call may have.
+    /// Cost to copy one of the many values that a call may have.
     static constexpr std::uint64_t kBytesOfValue = 4;
 
-    /// What scripts may print: more is left out, and said so once.
+    /// Maximum bytes that scripts may print: the remainder is left out, with one message.
     static constexpr std::size_t kMostPrinted_bytes = std::size_t{4} << 20U;
 
     explicit LuaState(Limits limits);
@@ -38,61 +38,62 @@ class LuaState {
 
     lua_State* get() const { return state_; }
     Ended ended() const { return refused_ ? Ended::memory : ended_; }
-    /// The processor time is bounded from here on; null: no longer. `cpu` outlives the state.
+    /// Limits the processor time from here on; null: no limit. `cpu` must outlive the state.
     void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
-    /// The machine has moved on: the count of steps starts anew.
+    /// Restarts the count of steps, because the machine has moved on.
     void restart_steps() { steps_ = 0; }
-    /// Work inside one instruction, by the bytes that it touches: long strings and tables take time in which
-    /// no instruction is counted.
+    /// Counts work inside one instruction, by the bytes that it touches. Long strings and tables take time in
+    /// which no instruction is counted.
     void count_work(std::uint64_t bytes);
-    /// The same from a function that Lua calls, which ends the run here where that is too much.
+    /// Counts work from a function that Lua calls, like count_work(). Ends the run here if that is too much.
     void charge(lua_State* state, std::uint64_t bytes);
-    /// Instructions that are carried out without Lua counting them; ends the run where that is too much.
+    /// Counts instructions that run without Lua counting them; ends the run if that is too much.
     void count_instructions(lua_State* state, std::uint64_t count) {
         steps_ += count * weight_;
         unchecked_ += count;
         if (unchecked_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
     }
-    /// There is a string, or a list of values, that any instruction may take so many bytes of to look at:
-    /// from here on each counts as that much work.
+    /// Notes a string or a list of values of so many bytes, which any instruction may read. From here on each
+    /// instruction counts as that much work.
     void note_large(std::uint64_t bytes);
-    /// Memory outside of Lua that is kept for the script counts as its own from here on. Ends the run where
-    /// that is too much; `what` is kept, and says what asks: "the text of the script".
+    /// Counts memory outside of Lua that is kept for the script as its own from here on. Ends the run if that
+    /// is too much. `what` is stored and names the consumer: "the text of the script".
     void hold(lua_State* state, std::size_t bytes, const char* what);
-    /// It is kept no longer; `what` as it was said to hold().
+    /// Releases memory that is no longer kept; `what` as in hold().
     void give_back(std::size_t bytes, const char* what);
-    /// What needs more memory than there is, as a sentence, where that ended the run: what holds most of it,
-    /// or what asked.
+    /// Returns the message about what needs more memory than available, if that ended the run: the largest
+    /// holder, or the consumer that requested it.
     std::string memory_refusal() const;
-    /// The how many-th table of this state it is; 0 where that is not known. Lua's order of tables as keys is
-    /// that of their addresses, which differ from run to run.
+    /// Returns the ordinal number of a table of this state; 0 if it is not known. Lua orders tables as keys
+    /// by their addresses, which differ from run to run.
     std::uint64_t serial_of_table(const void* table) const;
     const Limits& limits() const { return limits_; }
-    /// Called before the run ends for its steps or its processor time, while the script's stack still stands.
+    /// Sets a function that is called before the run ends for its steps or its processor time, while the
+    /// script's stack still exists.
     void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
 
-    /// The thread that runs now; the main one unless told.
+    /// Sets the thread that runs now; the main one by default.
     void set_running(lua_State* thread);
-    /// Called for each line that a watched thread begins; it may yield.
+    /// Sets a function that is called for each line of a monitored thread; it may yield.
     void on_line(std::function<void(lua_State*, lua_Debug*)> call) { on_line_ = std::move(call); }
     void watch_lines(lua_State* thread, bool on) const;
 
-    /// The LuaState of a lua_State.
+    /// Returns the LuaState of a lua_State.
     static LuaState& of(lua_State* state);
     /// Raises kStop; does not return.
     [[noreturn]] static void raise_stop(lua_State* state);
-    /// True where the value at `index` is what raise_stop() raises.
+    /// Returns true if the value at `index` is the one that raise_stop() raises.
     static bool is_stop(lua_State* state, int index);
-    /// To be called on a caught error: an error that no script may catch is raised again.
+    /// Raises an error that no script may catch again. Must be called on each caught error.
     static void pass_on(lua_State* state, int status);
 
-    /// What is to be written of a line that a script prints.
+    /// Returns the text to write for a line that a script prints.
     std::string printed(std::string line);
 
   private:
     static constexpr int kStepsBetweenCounts = 10'000;
 
-    /// A request for memory that was not fulfilled.
+    /// Request for memory that was not fulfilled.
     struct Refusal {
         const char* what = "the script";
         std::size_t asked_bytes = 0;
@@ -103,7 +104,7 @@ class LuaState {
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
     void* resize(void* block, std::size_t held, std::size_t new_size);
     void release(void* block, std::size_t held);
-    /// Memory outside of Lua, by what it is kept for.
+    /// Memory outside of Lua, by its purpose.
     struct Held {
         const char* what;
         std::size_t bytes;
@@ -128,7 +129,7 @@ class LuaState {
     std::vector<Held> held_;  ///< A part of bytes_.
     std::uint64_t steps_ = 0;
     std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
-    std::uint64_t weight_ = 1;     ///< What an instruction counts as.
+    std::uint64_t weight_ = 1;     ///< Weight of an instruction.
     std::uint64_t tables_ = 0;     ///< That were made.
     std::size_t table_bytes_ = 0;
     Ended ended_ = Ended::no;
@@ -140,7 +141,7 @@ class LuaState {
     lua_State* running_ = nullptr;
 };
 
-/// Memory outside of Lua that counts as the script's for as long as this lives.
+/// Memory outside of Lua that counts as the script's during the lifetime of this object.
 class HeldMemory {
   public:
     HeldMemory(lua_State* state, std::size_t bytes, const char* what)
@@ -157,10 +158,11 @@ class HeldMemory {
     const char* what_;
 };
 
-/// A C++ function as Lua calls it: an exception becomes an error of Lua with its text.
+/// Wraps a C++ function for Lua: an exception becomes an error of Lua with its text.
 template <int (*Function)(lua_State*)>
 int trampoline(lua_State* state) {
-    // Lua's own errors pass as exceptions of another type; only what C++ throws is turned into one of Lua.
+    // Lua's own errors pass as exceptions of another type; only exceptions of C++ are converted into errors
+    // of Lua.
     try {
         return Function(state);
     } catch (const std::exception& error) {
@@ -177,7 +179,7 @@ void set_function(lua_State* state, const char* name, void* upvalue) {
     lua_setfield(state, -2, name);
 }
 
-/// The object that set_function() bound.
+/// Returns the object that set_function() bound.
 template <typename Object>
 Object& bound(lua_State* state) {
     return *static_cast<Object*>(lua_touserdata(state, lua_upvalueindex(1)));
@@ -189,8 +191,8 @@ inline void set_number(lua_State* state, const char* name, double value) {
     lua_setfield(state, -2, name);
 }
 
-/// The number of a field of the table at `index`, 0 where there is none; an error of Lua where it is no
-/// number.
+/// Returns the number of a field of the table at `index`, or 0 if it does not exist. Raises an error of Lua
+/// if it is no number.
 inline double number_field(lua_State* state, int index, const char* name) {
     lua_getfield(state, index, name);
     const double value = luaL_optnumber(state, -1, 0);

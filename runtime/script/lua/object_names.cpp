@@ -4,8 +4,8 @@ namespace gsim::script {
 
 namespace {
 
-/// Its address is the key of the table of numbers in the registry: objects, which it does not keep alive, to
-/// their numbers. [1] has the last one.
+/// Its address is the key of the table of numbers in the registry. The table maps objects, which it does not
+/// keep alive, to their numbers. [1] has the last one.
 char numbers_key = 0;
 
 bool has_address(lua_State* state, int index) {

@@ -36,7 +36,7 @@ Place PlaceFinder::current(lua_State* state, int level) const {
     return {};
 }
 
-/// Of a C function that runs lines itself; null for others.
+/// Returns the position of a C function that runs lines itself; null for others.
 const LinePosition* PlaceFinder::position(lua_State* state, const lua_Debug& frame) {
     if (frame.what[0] != 'C' || lua_getlocal(state, &frame, 1) == nullptr) return nullptr;
     const bool may_be = lua_type(state, -1) == LUA_TUSERDATA && lua_rawlen(state, -1) >= sizeof(LinePosition);

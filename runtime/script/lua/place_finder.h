@@ -10,32 +10,34 @@
 
 namespace gsim::script {
 
-/// Where a C function is that runs the lines of a text itself: the first value on its stack, as a userdata
+/// Position of a C function that runs the lines of a text itself: the first value on its stack, as a userdata
 /// that begins with this.
 struct LinePosition {
-    const void* mark;    ///< Tells it from others, see PlaceFinder::begin().
+    const void* mark;    ///< Identifies it, see PlaceFinder::begin().
     std::uint32_t text;  ///< That the PlaceFinder has, and a line of it
     std::int64_t line;   ///< from 1.
 };
 
-/// Knows where loaded texts come from: the chunk with the name "=#3" is entry 3. A line of a text that
-/// gcode2lua wrote and nobody edited is told as the line of the G-code.
+/// Source locations of loaded texts: the chunk with the name "=#3" is entry 3. A line of an unedited text
+/// from gcode2lua is reported as the line of the G-code.
 class PlaceFinder {
   public:
     struct Text {
-        std::uint32_t file = 0;            ///< Index of the file that places name.
+        std::uint32_t file = 0;            ///< Index of the file of source locations.
         std::int64_t line_difference = 0;  ///< Line in that file minus line in the chunk.
     };
 
     /// Adds a text and returns its number.
     std::uint32_t add(Text text);
-    /// The name of a chunk of Lua that has the text.
+    /// Returns the name of a chunk of Lua that has the text.
     static std::string chunk_name(std::uint32_t text);
-    /// A position in a text that current() knows.
+    /// Returns a position in a text that current() can find.
     static LinePosition begin(std::uint32_t text) { return {&kMark, text, 0}; }
-    /// Where the script is: the innermost function of a text, from stack level `level` on.
+    /// Returns the source location of the script: the innermost function of a text, from stack level `level`
+    /// on.
     simulation::Place current(lua_State* state, int level = 1) const;
-    /// Takes "#3:12: " off the front of a message of Lua and returns that place; line 0 if there is none.
+    /// Removes "#3:12: " from the front of a message of Lua and returns that source location; line 0 if it is
+    /// missing.
     simulation::Place strip(std::string& message) const;
 
   private:

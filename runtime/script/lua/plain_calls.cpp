@@ -13,12 +13,12 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Goes through one line; what it does not know makes it stop.
+/// Reader of one line, which stops at anything unknown.
 class LineReader {
   public:
     explicit LineReader(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
 
-    /// At the end of the line, or at a comment as long as the line.
+    /// Returns true at the end of the line, or at a comment that runs to it.
     bool at_end() {
         skip_blanks();
         if (at_ == end_) return true;
@@ -54,7 +54,7 @@ class LineReader {
         return {begin, static_cast<std::size_t>(at_ - begin)};
     }
 
-    /// A decimal number with a sign at most. What Lua reads as an integer becomes one.
+    /// Reads a decimal number with an optional sign. A number that Lua reads as an integer becomes one.
     bool number(PlainCall::Number& value) {
         const char* const begin = at_;
         take('-');

@@ -13,8 +13,8 @@
 
 namespace gsim::script {
 
-/// A statement that is nothing but the call of a word with numbers: `G1{x=5.000, y=-2}`, `F(3000)`, `M8()`.
-/// Texts are views of the text that was read.
+/// Statement that only calls a word with numbers: `G1{x=5.000, y=-2}`, `F(3000)`, `M8()`. Texts are views of
+/// the text that was read.
 struct PlainCall {
     using Number = std::variant<lua_Integer, lua_Number>;  ///< As Lua reads it: 3000 or 5.0.
     struct Field {
@@ -32,16 +32,17 @@ struct PlainCall {
     std::span<const Field> fields() const { return {all_fields.data(), field_count}; }
 };
 
-/// One line of Lua of plain calls and a comment at most, as gcode2lua writes nearly all.
+/// Line of Lua with plain calls and an optional comment, as gcode2lua writes nearly all.
 class PlainLine {
   public:
-    /// `line` is without its end. False where there is anything else in it: then there are no calls.
-    /// A line by itself does not tell that its first word begins a statement; that of gcode2lua always does.
+    /// Reads `line`, which is without its end. Returns false if it has anything else in it; then calls() is
+    /// empty. A single line does not show that its first word begins a statement; that of gcode2lua always
+    /// does.
     bool read(std::string_view line);
     std::span<const PlainCall> calls() const { return {calls_.data(), count_}; }
 
   private:
-    std::vector<PlainCall> calls_;  ///< The first of them; the others are kept for their room.
+    std::vector<PlainCall> calls_;  ///< The first count_ are valid; the others keep their memory.
     std::size_t count_ = 0;
 };
 

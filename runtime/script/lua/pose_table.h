@@ -6,7 +6,7 @@
 
 namespace gsim::script {
 
-// A Cartesian position in Lua is a table of four rows of four numbers, a joint position a list of numbers.
+// A Cartesian position in Lua is a table of four rows of four numbers, a joint position is a list of numbers.
 
 rrs::CartPos check_pose(lua_State* state, int index);
 void push_pose(lua_State* state, const rrs::CartPos& pose);

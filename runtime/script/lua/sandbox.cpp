@@ -25,7 +25,7 @@ void copy_fields(lua_State* state, const char* library, const std::array<const c
     lua_setfield(state, -2, library);
 }
 
-/// The end of a pcall; it is LUA_YIELD where the function has waited for other processes.
+/// Ends a pcall; `status` is LUA_YIELD if the function has waited for other processes.
 int finish_pcall(lua_State* state, int status, lua_KContext) {
     const bool done = status == LUA_OK || status == LUA_YIELD;
     if (!done) LuaState::pass_on(state, status);
@@ -40,7 +40,7 @@ int safe_pcall(lua_State* state) {
     return finish_pcall(state, status, 0);
 }
 
-/// The value of an operand of vacant arithmetic: nil counts as 0.
+/// Returns the value of an operand of vacant arithmetic: nil counts as 0.
 lua_Number number_or_zero(lua_State* state, int index) {
     return lua_isnil(state, index) ? 0.0 : luaL_checknumber(state, index);
 }
@@ -76,8 +76,8 @@ constexpr std::array kMath = {"abs",  "acos",       "asin",      "atan", "ceil",
 constexpr std::array kString = {"byte", "char", "format", "len", "lower", "rep", "reverse", "sub", "upper"};
 constexpr std::array kTable = {"concat", "insert", "pack", "remove", "sort", "unpack"};
 
-/// ("x"):upper() looks methods up in the metatable of strings: it gets the safe ones, in a table that no
-/// script can change.
+/// ("x"):upper() finds methods in the metatable of strings. It gets the safe ones, in a table that no script
+/// can change.
 void set_string_methods(lua_State* state) {
     lua_pushliteral(state, "");
     if (lua_getmetatable(state, -1) != 0) {

@@ -7,22 +7,23 @@
 
 namespace gsim::script {
 
-/// Memory for the many small and short-lived objects of a Lua state: its collector gives back hundreds of one
-/// size at a time, more than what the C library's allocator keeps at hand. What is given back is kept for
-/// the next block of that size, until the end.
+/// Memory for the many small and short-lived objects of a Lua state. Its collector frees hundreds of one size
+/// at a time, more than the C library's allocator caches. Freed memory is kept for the next block of that
+/// size, until the end.
 class SmallBlocks {
   public:
     static constexpr std::size_t kLargest = 256;  ///< Bytes; larger blocks are for malloc.
 
-    /// A block of `size` bytes, 1 to kLargest, aligned as malloc's; null where there is no more memory.
+    /// Returns a block of `size` bytes, 1 to kLargest, aligned like malloc's; null if no memory is left.
     void* take(std::size_t size);
-    /// Gives back what take(size) gave.
+    /// Frees a block that take(size) returned.
     void give(void* block, std::size_t size);
-    /// Whether a block of the one size is as good for the other.
+    /// Returns true if a block of one size can also hold the other.
     static bool same_class(std::size_t one, std::size_t other) {
         return one > 0 && one <= kLargest && other <= kLargest && size_class(one) == size_class(other);
     }
-    /// Bytes behind those of a block of `size` that are its own, too; 0 where it is none of these.
+    /// Returns the number of usable bytes after those of a block of `size`; 0 if it is not one of these
+    /// blocks.
     static std::size_t spare_bytes(std::size_t size) {
         return size > 0 && size <= kLargest ? (size_class(size) + 1) * kGrain - size : 0;
     }

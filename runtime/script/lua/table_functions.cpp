@@ -9,7 +9,7 @@ namespace gsim::script {
 
 namespace {
 
-/// To go over an element of a table costs as much as so many bytes of a string.
+/// Cost of one table element, in bytes of a string.
 constexpr std::uint64_t kBytesOfElement = 256;
 /// Longer ranges end in an error by themselves, or by the memory.
 constexpr lua_Number kMostElements = 1e9;
@@ -20,16 +20,16 @@ constexpr int kIsBefore = 2;
 constexpr int kOne = 3;
 constexpr int kOther = 4;
 
-/// The elements that a function works through that is called with these arguments; 0 also where it will
-/// refuse them.
+/// Returns the number of elements that a function processes with these arguments; 0 also if it will reject
+/// them.
 using CountElements = lua_Number (*)(lua_State* state);
 
 lua_Number length(lua_State* state) {
     return static_cast<lua_Number>(lua_rawlen(state, 1));
 }
 
-/// table.unpack(t, first, last) and table.concat(t, separator, first, last): the range begins at argument
-/// `first`.
+/// Counts the elements of table.unpack(t, first, last) and table.concat(t, separator, first, last): the range
+/// begins at argument `first`.
 template <int First>
 lua_Number elements_of_range(lua_State* state) {
     const lua_Number first = lua_isnoneornil(state, First) ? 1 : lua_tonumber(state, First);
@@ -38,13 +38,13 @@ lua_Number elements_of_range(lua_State* state) {
     return last - first + 1;
 }
 
-/// table.insert(t, position, value) and table.remove(t, position): those behind it move.
+/// Counts the elements that table.insert(t, position, value) and table.remove(t, position) move.
 template <int Arguments>
 lua_Number elements_behind(lua_State* state) {
     return lua_gettop(state) < Arguments ? 0 : length(state) - lua_tonumber(state, 2) + 1;
 }
 
-/// Calls the function in the upvalue, whose work is counted before.
+/// Calls the function in the upvalue after its work has been counted.
 template <CountElements Count, bool ManyResults>
 int counted(lua_State* state) {
     if (lua_istable(state, 1)) {
@@ -59,7 +59,7 @@ int counted(lua_State* state) {
     return lua_gettop(state);
 }
 
-/// Whether the value on top of the stack goes before the one under it.
+/// Returns true if the value on top of the stack comes before the one under it.
 bool top_is_before(lua_State* state) {
     if (lua_isnil(state, kIsBefore)) return lua_compare(state, -1, -2, LUA_OPLT) != 0;
     lua_pushvalue(state, kIsBefore);
@@ -71,8 +71,8 @@ bool top_is_before(lua_State* state) {
     return before;
 }
 
-/// Merges [begin, middle) and [middle, end) of the list at `from` into the list at `to`; of equal elements
-/// the first one stays the first.
+/// Merges [begin, middle) and [middle, end) of the list at `from` into the list at `to`; the first of equal
+/// elements stays the first.
 void merge(lua_State* state, int from, int to, lua_Integer begin, lua_Integer middle, lua_Integer end) {
     lua_Integer one = begin;
     lua_Integer other = middle;
@@ -89,7 +89,8 @@ void merge(lua_State* state, int from, int to, lua_Integer begin, lua_Integer mi
     }
 }
 
-/// table.sort(t [, is_before]): stable, by merging. It ends whatever the comparison answers.
+/// Implements table.sort(t [, is_before]): stable, by merging. It ends regardless of the results of the
+/// comparison.
 int stable_sort(lua_State* state) {
     luaL_checktype(state, kList, LUA_TTABLE);
     if (!lua_isnoneornil(state, kIsBefore)) luaL_checktype(state, kIsBefore, LUA_TFUNCTION);

@@ -22,7 +22,7 @@ int to_text(lua_State* state) {
     return 1;
 }
 
-/// print(..), to standard error, as far as a run may.
+/// Implements print(..) to standard error, up to the limit of a run.
 int print_to_error(lua_State* state) {
     const int count = lua_gettop(state);
     std::string line;
@@ -49,15 +49,16 @@ int call_own(lua_State* state) {
     return lua_gettop(state);
 }
 
-/// tonumber(value [, base]): a text is read to its end.
+/// Implements tonumber(value [, base]): a text is read to its end.
 int to_number(lua_State* state) {
     if (lua_type(state, 1) == LUA_TSTRING) LuaState::of(state).charge(state, lua_rawlen(state, 1));
     return call_own(state);
 }
 
-/// string.find(s, text [, from]): a plain search, in a time that goes with the length of s.
+/// Implements string.find(s, text [, from]): a plain search, in a time proportional to the length of s.
 int plain_find(lua_State* state) {
-    // The C library's search is linear for a long text, and for a short one at worst their product.
+    // The C library's search is linear for a long text. For a short one its cost is at most the product of
+    // both lengths.
     constexpr std::size_t kShort = 256;
     constexpr std::size_t kBytesAtOnce = 16;
     std::size_t size = 0;
@@ -76,7 +77,8 @@ int plain_find(lua_State* state) {
     return 2;
 }
 
-/// string.rep(s, count [, separator]); Lua's own counts for years where there is nothing to repeat.
+/// Implements string.rep(s, count [, separator]); Lua's own one counts for years if the text to repeat is
+/// empty.
 int bounded_rep(lua_State* state) {
     std::size_t size = 0;
     std::size_t separator_size = 0;
@@ -88,7 +90,7 @@ int bounded_rep(lua_State* state) {
     return 1;
 }
 
-/// string.byte(s [, first [, last]]): as many values as bytes.
+/// Implements string.byte(s [, first [, last]]): returns as many values as bytes.
 int counted_byte(lua_State* state) {
     const int count = call_own(state);
     LuaState::of(state).note_large(static_cast<std::uint64_t>(count) * LuaState::kBytesOfValue);
@@ -96,12 +98,12 @@ int counted_byte(lua_State* state) {
     return count;
 }
 
-/// Behind a '%' at `at`: where its letter is.
+/// Returns the position of the conversion letter after a '%' at `at`.
 std::size_t end_of_conversion(std::string_view form, std::size_t at) {
     return std::min(form.find_first_not_of("-+ #0123456789.", at), form.size());
 }
 
-/// string.format(form, ..): %s writes a table without its address, and there is no %p.
+/// Implements string.format(form, ..): %s writes a table without its address, and %p is not supported.
 int repeatable_format(lua_State* state) {
     std::size_t size = 0;
     const char* const begin = luaL_checklstring(state, 1, &size);

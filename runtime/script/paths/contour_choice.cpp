@@ -17,7 +17,7 @@ struct ContourTask {
     std::span<const ContourFacts> contours;
     os::CpuLimit* cpu;
     std::vector<bool> chosen = {};
-    int last_line = 1;  // where a limit was reached
+    int last_line = 1;  // line at which a limit was reached
 };
 
 void set_text(lua_State* state, const char* name, const std::string& text) {

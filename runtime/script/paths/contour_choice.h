@@ -12,7 +12,7 @@
 
 namespace gsim::script {
 
-/// What a script is told of a closed loop or a chain of edges of a part, in the frame of its file.
+/// Data for a script about a closed loop or a chain of edges of a part, in the frame of its file.
 struct ContourFacts {
     struct Edge {
         std::string name;  ///< "edge #12 of the plane face #40"
@@ -23,15 +23,15 @@ struct ContourFacts {
     bool is_open = false;  ///< A chain.
     double length_mm = 0;
     std::array<double, 3> low_mm{}, high_mm{};  ///< Corners of the box about it.
-    std::array<double, 3> normal{};             ///< Of the face, out of the material, on the average.
-    double depth_mm = 0;                        ///< The most that a wall reaches below it.
-    double lean_deg = 0;                        ///< The most that a wall leans from the normal.
+    std::array<double, 3> normal{};             ///< Mean normal of the face, out of the material.
+    double depth_mm = 0;                        ///< Max depth of a wall below it.
+    double lean_deg = 0;                        ///< Max tilt of a wall from the normal.
     std::vector<Edge> edges = {};               ///< In order.
 };
 
-/// Runs a script that returns a function, and calls that with a table of each contour: of those for which it
-/// returns true the answer is true, of those with false or nil false. It runs in the sandbox, until `cpu` is
-/// used up where there is one. The error is "file:line: sentence".
+/// Runs a script that returns a function, and calls it with a table of each contour. The result of a contour
+/// is true if the function returns true, and false for false or nil. It runs in the sandbox, until `cpu`, if
+/// given, is used up. The error is "file:line: message".
 tl::expected<std::vector<bool>, std::string> choose_contours(std::string_view lua,
                                                              const std::string& file_name,
                                                              std::span<const ContourFacts> contours,

@@ -30,7 +30,7 @@ using path_values::raise;
 using path_values::read_set_up;
 using path_values::text_at;
 
-/// What the constructors hand to the script; no script can make one itself.
+/// Handle that the constructors return to the script; no script can create one itself.
 struct Handle {
     enum class Kind { point, path, repeated } kind = Kind::point;
     std::size_t index = 0;  ///< In Builder::points, or of the path.
@@ -40,7 +40,7 @@ struct Handle {
 
 constexpr const char* kPoints = "the path of the script";
 
-/// What the script has made so far.
+/// State of what the script has made so far.
 struct Builder {
     struct MadePoint {
         path::Target point;  ///< No sub-path.
@@ -49,20 +49,20 @@ struct Builder {
     PathFile file;
     std::vector<MadePoint> points;
     std::vector<path::WorkFrame> frames;  // of uses of paths
-    std::uint32_t last_line = 1;          ///< Where a limit was reached.
+    std::uint32_t last_line = 1;          ///< Line at which a limit was reached.
 };
 
 void push(lua_State* state, const Handle& handle) {
     *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = handle;
 }
 
-/// Null where the value is something else.
+/// Returns null if the value is something else.
 const Handle* handle_at(lua_State* state, int index) {
     if (lua_type(state, index) != LUA_TUSERDATA || lua_rawlen(state, index) != sizeof(Handle)) return nullptr;
     return static_cast<const Handle*>(lua_touserdata(state, index));
 }
 
-/// About what a point takes, with its place.
+/// Returns the approximate bytes of a point, with its source location.
 std::size_t bytes_of(const path::Target& target) {
     constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
     std::size_t bytes = sizeof(path::Target) + sizeof(path::Place);
@@ -82,7 +82,7 @@ std::size_t bytes_of(const path::WorkFrame& frame) {
     return sizeof(frame) + frame.touches.size() * sizeof(path::Touch);
 }
 
-/// Where the function is, `level` levels up, or if that is none of Lua the one that calls it.
+/// Returns the source location of the function `level` levels up; if that is none of Lua, that of its caller.
 path::Place calling_place(lua_State* state, int level = 1) {
     lua_Debug caller{};
     do {
@@ -93,7 +93,7 @@ path::Place calling_place(lua_State* state, int level = 1) {
 
 constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
 
-/// Of several unknown keys of the table at 1 the first one by its letters is told.
+/// Checks the keys of the table at 1; the alphabetically first unknown key is reported.
 void check_point_keys(lua_State* state) {
     std::optional<std::string_view> unknown;
     for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
@@ -128,7 +128,7 @@ int make_point(lua_State* state) {
     return 1;
 }
 
-/// The third argument of repeated(): what the path is used in.
+/// Reads the third argument of repeated(): the frame in which the path is used.
 std::optional<std::size_t> read_frame(lua_State* state) {
     if (lua_isnoneornil(state, 3)) return std::nullopt;
     luaL_checktype(state, 3, LUA_TTABLE);
@@ -194,7 +194,7 @@ int make_path(lua_State* state) {
                   fmt::format("target {} of the path '{}' is neither a point nor a path", i, made.name));
         }
         if (handle->kind == Handle::Kind::point) {
-            // The vector may have grown to twice what it needs.
+            // The vector may have grown to twice the size that it needs.
             LuaState::of(state).hold(state, 2 * bytes_of(builder.points[handle->index].point), kPoints);
             made.targets.emplace_back(builder.points[handle->index].point);
             places.push_back(builder.points[handle->index].place);
@@ -229,7 +229,7 @@ struct PathTask {
     os::CpuLimit* cpu;
 };
 
-// Gets the PathTask; gives what its script returns.
+// Receives the PathTask; returns the result of its script.
 int run_path_task(lua_State* state) {
     const PathTask& task = *static_cast<const PathTask*>(lua_touserdata(state, 1));
     const std::string chunk = fmt::format("@{}", task.builder.file.file_name);
@@ -245,8 +245,8 @@ int run_path_task(lua_State* state) {
     return 1;
 }
 
-// Leaves what the script returns on the stack. All that takes memory is behind lua_pcall(): a refusal in
-// front of it would end the program.
+// Leaves the result of the script on the stack. Everything that needs memory runs inside lua_pcall(), because
+// an error before it would end the program.
 tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
                                     os::CpuLimit* cpu) {
     lua_State* state = lua.get();

@@ -10,10 +10,10 @@
 
 namespace gsim::script {
 
-/// Runs a script that builds a path (docs/paths.md): point{..}, path{..} and repeated(n, path) make targets
+/// Runs a script that builds a path (docs/paths.md). point{..}, path{..} and repeated(n, path) make targets
 /// with the keys of path files, and the script returns the root path. It runs in the sandbox, without a
-/// machine, until `cpu` is used up where there is one. The error is "file:line: sentence"; what validate()
-/// finds is one.
+/// machine, until `cpu`, if given, is used up. The error is "file:line: message"; errors of validate() are
+/// included.
 tl::expected<path::PathFile, std::string> run_path_script(std::string_view lua, std::string file_name,
                                                           const LuaState::Limits& limits = {},
                                                           os::CpuLimit* cpu = nullptr);

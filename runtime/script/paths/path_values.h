@@ -13,25 +13,24 @@
 
 namespace gsim::script::path_values {
 
-// What paths hold, from tables of a script. What is wrong is raised as an error of Lua, with the place of the
-// script; these pass as exceptions, so that destructors run.
+// Values of paths from tables of a script. Errors are raised as errors of Lua with the source location of the
+// script. They pass as exceptions, so that destructors run.
 
 [[noreturn]] void raise(lua_State* state, const std::string& sentence);
 void check(lua_State* state, const tl::expected<void, std::string>& done);
 
-/// A string on the stack, as long as it stays there.
+/// Returns a string on the stack, valid as long as it stays there.
 std::string_view text_at(lua_State* state, int index);
 
-/// A value of a target; it is on top of the stack.
+/// Reads a value of a target, which is on top of the stack.
 void read_value(lua_State* state, path::TargetDraft& draft, path::TargetKey key);
 
-/// The keys of a path that say where it is and with what it works; the first ones are those of a use of it,
-/// too.
+/// Keys of a path for its location and its tool; the first ones are also those of a use of it.
 inline constexpr auto kSetUpKeys = std::span(path::kPathKeys).subspan(path::kNeededPathKeys);
 inline constexpr auto kFrameKeys = kSetUpKeys.first(3);
 static_assert(kFrameKeys.back() == path::name_of(path::PathKey::probe_offset));
 
-/// Those of the first so many of kSetUpKeys that a table has.
+/// Reads those of the first `keys` entries of kSetUpKeys that a table has.
 path::PathDraft read_set_up(lua_State* state, int table, std::size_t keys);
 
 }  // namespace gsim::script::path_values

@@ -7,8 +7,8 @@
 #include "runtime/script/lua/choice.h"
 #include "runtime/script/processes/processes.h"
 
-// Functions of processes for the library in Lua. Those that wait for other processes yield: their last act is
-// to return what Processes returns.
+// Functions of processes for the Lua library. Functions that wait for other processes yield: their last
+// action is to return the result of Processes.
 
 namespace gsim::script {
 
@@ -19,14 +19,14 @@ namespace {
 using process::Value;
 using process::WaitKind;
 
-/// A node of a map, without the name.
+/// Size of a node of a map, without the name.
 constexpr std::size_t kBytesOfSignal = 128;
 
 Processes& processes_of(lua_State* state) {
     return bound<Processes>(state);
 }
 
-/// The control whose library calls.
+/// Returns the controller of the calling library.
 Control& control_of(lua_State* state) {
     return *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
 }
@@ -73,12 +73,12 @@ std::string hint(std::string_view name, const Names& names) {
                          : fmt::format("there are: {}", text::joined(names, ", "));
 }
 
-/// join(): goes on when no process is behind.
+/// Implements join(): continues when no process is earlier.
 int join(lua_State* state) {
     return processes_of(state).join(state);
 }
 
-/// rest(): the robot of the process comes to rest, and their clocks agree.
+/// Implements rest(): the robot of the process comes to a standstill, and their clocks agree.
 int rest(lua_State* state) {
     processes_of(state).rest(state);
     return 0;
@@ -88,7 +88,7 @@ int wait_seconds(lua_State* state) {
     return processes_of(state).wait(state, check_seconds(state, 1));
 }
 
-/// start(name, f, background)
+/// Implements start(name, f, background).
 int start(lua_State* state) {
     std::string name = check_name(state, 1, "process");
     if (!lua_isfunction(state, 2))
@@ -113,7 +113,8 @@ int value(lua_State* state) {
     return 1;
 }
 
-/// wait_signal(name, how, value, seconds or nil); how is "on", "off", "equals", "rises", "falls" or "any".
+/// Implements wait_signal(name, how, value, seconds or nil); how is "on", "off", "equals", "rises", "falls"
+/// or "any".
 int wait_signal(lua_State* state) {
     static const char* const kNames[] = {"on", "off", "equals", "rises", "falls", "any", nullptr};
     process::Wait wait;
@@ -134,7 +135,7 @@ int on_signal(lua_State* state) {
     return 0;
 }
 
-/// several(): whether there are processes besides the main one.
+/// Implements several(): true if processes exist in addition to the main one.
 int several(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(processes_of(state).several()));
     return 1;
@@ -152,7 +153,7 @@ int robot(lua_State* state) {
     return 1;
 }
 
-/// time(): the clock of the process.
+/// Implements time(): the clock of the process.
 int process_time(lua_State* state) {
     lua_pushnumber(state, processes_of(state).time_s());
     return 1;
@@ -166,7 +167,7 @@ std::size_t check_zone(lua_State* state, int index) {
                               fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
 }
 
-/// enter_zone(name): goes on when the process has the zone.
+/// Implements enter_zone(name): continues when the process has the zone.
 int enter_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
     if (processes_of(state).has_zone(zone)) {
@@ -200,19 +201,19 @@ process::Conveyor& check_conveyor(lua_State* state, int index) {
                               fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
 }
 
-/// conveyor(name): raises an alarm where there is none.
+/// Implements conveyor(name): raises an alarm if the conveyor does not exist.
 int conveyor(lua_State* state) {
     check_conveyor(state, 1);
     return 0;
 }
 
-/// conveyor_position(name): mm of travel at the time of the process.
+/// Implements conveyor_position(name): mm of travel at the time of the process.
 int conveyor_position(lua_State* state) {
     lua_pushnumber(state, check_conveyor(state, 1).position_mm(processes_of(state).time_s()));
     return 1;
 }
 
-/// conveyor_speed(name, mm_s)
+/// Implements conveyor_speed(name, mm_s).
 int conveyor_speed(lua_State* state) {
     process::Conveyor& conveyor = check_conveyor(state, 1);
     const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
@@ -223,7 +224,8 @@ int conveyor_speed(lua_State* state) {
     return 0;
 }
 
-/// conveyor_reaches(name, mm): seconds from now until it has travelled that far; nil where it does not.
+/// Implements conveyor_reaches(name, mm): seconds from now until it has travelled that far; nil if it never
+/// does.
 int conveyor_reaches(lua_State* state) {
     const process::Conveyor& conveyor = check_conveyor(state, 1);
     const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
@@ -237,7 +239,7 @@ int conveyor_reaches(lua_State* state) {
     return 1;
 }
 
-/// track(name or nil)
+/// Implements track(name or nil).
 int track(lua_State* state) {
     process::Conveyor* wanted = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
     processes_of(state).track(state, control_of(state), wanted);

@@ -1,5 +1,5 @@
-// What moves besides a process: conveyors and their speeds, the robots that follow them, and up to when the
-// motion of all is known.
+// Motion outside of a process: conveyors and their speeds, the robots that follow them, and the time up to
+// which the motion of all is known.
 
 #include <algorithm>
 #include <limits>
@@ -38,7 +38,7 @@ bool Processes::follows_conveyors() const {
                        [](Control* control) { return control->simulator().has_conveyors(); });
 }
 
-/// The conveyor's motion from a time on, for the cells of robots that it goes through.
+/// Sets the conveyor's motion from a time on in the cells of robots through which it runs.
 void Processes::tell_conveyor(const process::Conveyor& conveyor, double time_s) {
     for (Control* control : controls_) {
         const Eigen::Vector3d direction = control->base().linear().transpose() * conveyor.direction();
@@ -47,7 +47,7 @@ void Processes::tell_conveyor(const process::Conveyor& conveyor, double time_s) 
     }
 }
 
-/// A process changes conveyors at its own time alone, with its own robot at rest.
+/// A process changes conveyors only at its own time, with its own robot at standstill.
 void Processes::tell_known_time_of_conveyors() {
     for (Control* control : controls_) {
         if (!control->simulator().has_conveyors()) continue;

@@ -1,4 +1,4 @@
-// Shared zones as processes see them: who has one, and who waits for it.
+// Shared zones as processes see them: which process has one, and which waits for it.
 
 #include <algorithm>
 
@@ -29,7 +29,8 @@ void Processes::leave_zone(std::size_t zone) {
     tell_holder(zone, now().time_s);
 }
 
-/// The process has ended. Who waits for a zone that it has kept will for ever, whatever others do.
+/// Returns a deadlock if another process waits for a zone that this ended process has kept. It would wait
+/// indefinitely, regardless of the others.
 std::optional<Processes::Outcome> Processes::stuck_behind(ProcessId id) {
     const std::optional<ProcessId> first = schedule_.waits_for_zone_of(id);
     if (!first) return std::nullopt;
@@ -41,7 +42,7 @@ std::optional<Processes::Outcome> Processes::stuck_behind(ProcessId id) {
                    .place = schedule_.process(*first).place};
 }
 
-/// For whoever looks for robots in zones of others.
+/// Notifies the monitor that checks for robots in zones of others.
 void Processes::tell_holder(std::size_t zone, double time_s) {
     if (robots_watch_ == nullptr) return;
     const std::optional<ProcessId>& id = zones_.holder(zone);
@@ -49,7 +50,7 @@ void Processes::tell_holder(std::size_t zone, double time_s) {
     robots_watch_->give_zone(zone, time_s, simulation::RobotsWatch::Holder{*id, schedule_.process(*id).name});
 }
 
-/// Likewise: whose robot it is.
+/// Notifies the same monitor of the robot's owner.
 void Processes::tell_owner(const Control* control) {
     if (robots_watch_ == nullptr) return;
     const auto found = std::find(controls_.begin(), controls_.end(), control);

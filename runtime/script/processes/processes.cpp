@@ -53,7 +53,8 @@ Processes::Outcome Processes::deadlock() {
 
 // --- Threads ---
 
-/// The function on top of the stack of `from` goes to a thread of its own. It has the hook of the main state.
+/// Moves the function on top of the stack of `from` to a thread of its own. It has the hook of the main
+/// state.
 Processes::Thread Processes::new_thread(lua_State* from) {
     Thread thread;
     thread.state = lua_newthread(lua_.get());
@@ -77,7 +78,7 @@ void Processes::start(lua_State* state, std::string name, bool background) {
     tell_known_time();
 }
 
-/// Lets the process run until it yields or ends; an outcome where the run is over.
+/// Runs the process until it yields or ends; returns an outcome if the run is over.
 std::optional<Processes::Outcome> Processes::go_on(ProcessId id) {
     running_ = id;
     Strand& strand = *strands_[id];
@@ -110,7 +111,7 @@ std::optional<Processes::Outcome> Processes::go_on(ProcessId id) {
     return stuck_behind(id);
 }
 
-/// A thread that waited gets told whether it waited in vain.
+/// Passes to a thread that waited if its wait succeeded or timed out.
 int Processes::arguments_for(Strand& strand) {
     const Yielded yielded = std::exchange(strand.yielded, Yielded::to_join);
     if (yielded == Yielded::to_interrupt) return 1;  // with its function
@@ -169,7 +170,7 @@ void Processes::take(Strand& strand, Control* control) {
     control->interpreter().set_attached(true);
 }
 
-/// The running process calls a word of a robot that it does not have.
+/// Attaches a robot if the running process calls a word of a robot that it does not have.
 void Processes::attach(lua_State* state, Interpreter& wanted) {
     const auto is_wanted = [&](Control* control) { return &control->interpreter() == &wanted; };
     Control* control = *std::find_if(controls_.begin(), controls_.end(), is_wanted);
@@ -199,7 +200,7 @@ void Processes::stand_idle(Strand& strand) {
     now().time_s = std::max(now().time_s, simulator.planned_s());
 }
 
-// --- What the running process asks for ---
+// --- Requests of the running process ---
 
 void Processes::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
     interpreter().locate(state);
@@ -295,8 +296,8 @@ void Processes::on_signal(lua_State* state, const std::string& name) {
     lua_.watch_lines(strand.threads.front().state, watches_lines(strand));
 }
 
-/// A process that can be interrupted is about to run another line: what happens up to its time must be known.
-/// So must it for one whose robot is far ahead of others that are looked at against it.
+/// A process that can be interrupted is about to run another line, so all events up to its time must be
+/// known. The same applies if its robot is far ahead of others that are checked against it.
 void Processes::at_line(lua_State* state, lua_Debug* line) {
     Strand& strand = this->strand();
     if (strand.threads.size() > 1 || lua_isyieldable(state) == 0) return;

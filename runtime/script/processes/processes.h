@@ -19,26 +19,27 @@
 
 namespace gsim::script {
 
-/// The processes of a run, each a coroutine of Lua: starts them, lets them go on in the order of the
+/// Processes of a run, each a coroutine of Lua. The class starts them, continues them in the order of the
 /// schedule, and moves the clocks of the robots along with theirs. docs/processes.md has the rules.
 ///
 /// A robot belongs to the process that calls its words, until that process ends or calls the words of another
-/// robot. The hook of the interpreters for words of robots that the running process does not have is set
-/// here.
+/// robot. This class sets the hook of the interpreters for words of robots that the running process does not
+/// have.
 class Processes {
   public:
-    /// How run() ended.
+    /// Result of run().
     enum class End : std::uint8_t {
         completed,
-        error,     ///< In Lua: on top of the stack of the thread in `fault`.
-        deadlock,  ///< `message` says who waits for what.
+        error,     ///< Error of Lua: on top of the stack of the thread in `fault`.
+        deadlock,  ///< `message` lists the waiting processes.
     };
     struct Outcome {
         End end = End::completed;
         lua_State* fault = nullptr;
         int status = LUA_OK;
         std::string message = {};
-        Control* control = nullptr;  ///< Of the robot of the process that is to blame, or the first one.
+        Control* control =
+            nullptr;  ///< Controller of the robot of the process that caused it, or the first one.
         simulation::Place place = {};
     };
 
@@ -47,39 +48,42 @@ class Processes {
     Processes(const Processes&) = delete;
     Processes& operator=(const Processes&) = delete;
 
-    /// Before run(): who is told up to when the motion of all robots is known; it outlives this.
+    /// Sets the monitor that is notified of the time up to which the motion of all robots is known. To be
+    /// called before run(); it must outlive this object.
     void watch_robots(simulation::RobotsWatch& watch);
-    /// Before run(): the zones that processes share.
+    /// Sets the zones that processes share. To be called before run().
     void share_zones(const std::vector<process::SharedZone>& zones) { zones_ = process::SharedZones(zones); }
-    /// Runs the function on top of the stack as the process "main", and all that it starts, to the end.
+    /// Runs the function on top of the stack as the process "main", and all processes that it starts, to the
+    /// end.
     Outcome run(lua_State* state);
 
-    /// For the report, behind run().
+    /// Returns the summaries for the report, after run().
     std::vector<simulation::ProcessSummary> summaries() const;
     const process::SignalBoard& signals() const { return board_; }
     const process::SharedZones& zones() const { return zones_; }
-    /// Whether there was more than the main process.
+    /// Returns true if a process ran in addition to the main one.
     bool several() const { return schedule_.size() > 1; }
 
-    // What follows is for the running process, by bindings; what waits for others yields, so that its result
-    // is to be returned to Lua at once.
+    // The following functions are for the running process, by bindings. A function that waits for others
+    // yields, so its result must be returned to Lua at once.
 
-    /// The first time at which the process may act on others: its robot comes to rest.
+    /// Brings the robot of the process to a standstill: the first time at which the process may act on
+    /// others.
     void rest(lua_State* state);
-    /// Goes on when no process is behind the running one.
+    /// Continues when no process is at an earlier time than the running one.
     int join(lua_State* state);
-    /// Lets time pass, for its robot as a dwell; then as join().
+    /// Lets time pass, for its robot as a dwell; then acts as join().
     int wait(lua_State* state, double seconds);
-    /// Starts a process with the function on top of the stack, which it takes.
+    /// Starts a process with the function on top of the stack, which it pops.
     void start(lua_State* state, std::string name, bool background);
     process::Value value(std::string_view name) const { return board_.get(name); }
     void set_signal(const std::string& name, const process::Value& value);
-    /// Waits for a signal, and gives Lua whether it came before its time ran out.
+    /// Waits for a signal, and returns true to Lua if it came before its time ran out.
     int wait_signal(lua_State* state, process::Wait wait);
-    /// Takes the function on top of the stack as what interrupts the process when the signal comes on; nil:
-    /// nothing.
+    /// Pops the function on top of the stack; it interrupts the process when the signal comes on. nil: no
+    /// interrupt.
     void on_signal(lua_State* state, const std::string& name);
-    /// The clock of the running process.
+    /// Returns the clock of the running process.
     double time_s() const { return schedule_.process(running_).time_s; }
     /// Raises an alarm of the running process's robot, or of the first one; does not return.
     [[noreturn]] void alarm(lua_State* state, text::DiagnosticKind kind, const std::string& message);
@@ -88,14 +92,14 @@ class Processes {
     std::vector<std::string_view> control_names() const;
     process::Conveyor* find_conveyor(std::string_view name);
     std::vector<process::Conveyor>& conveyors() { return conveyors_; }
-    /// The speed of a belt changes, from the process's time on.
+    /// Sets the speed of a belt, from the process's time on.
     void set_conveyor_speed(lua_State* state, process::Conveyor& conveyor, double speed_mm_s);
-    /// Waits until the running process has the zone, which it has not.
+    /// Waits until the running process has the zone, which it does not have yet.
     int enter_zone(lua_State* state, std::size_t zone);
-    /// It lets the zone go, which it has.
+    /// Releases the zone, which it has.
     void leave_zone(std::size_t zone);
     bool has_zone(std::size_t zone) const { return zones_.holder(zone) == running_; }
-    /// The targets of this robot that follow are in the frame of a conveyor; null: no longer.
+    /// Sets the targets of this robot that follow to be in the frame of a conveyor; null: no conveyor.
     void track(lua_State* state, Control& control, process::Conveyor* conveyor);
 
   private:
@@ -104,11 +108,11 @@ class Processes {
         lua_State* state = nullptr;
         int reference = LUA_NOREF;
     };
-    /// The Lua side of a process.
+    /// Lua side of a process.
     struct Strand {
         std::vector<Thread> threads;  ///< The process, and on it the interrupt that it runs.
         Yielded yielded = Yielded::to_join;
-        Control* control = nullptr;  ///< Of the robot that it has.
+        Control* control = nullptr;  ///< Controller of its robot.
         std::string robot;           ///< Name of the one that it had last.
         double idle_s = 0;
         std::map<std::string, int, std::less<>> handlers;  ///< References, by signal.
@@ -154,7 +158,7 @@ class Processes {
     std::uint64_t joins_ = 0;
 };
 
-/// The functions of processes, for the table on top of the stack; `processes` outlives the state.
+/// Adds the functions of processes to the table on top of the stack; `processes` must outlive the state.
 void add_processes(lua_State* state, Processes& processes, Control& control);
 
 }  // namespace gsim::script

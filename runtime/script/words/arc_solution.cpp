@@ -21,7 +21,7 @@ double distance(const Vector2d& from, const Vector2d& to) {
     return std::sqrt(x * x + y * y);
 }
 
-/// The centre stands beside the middle of the chord, at a signed distance to the left of start -> end.
+/// Returns the centre: from the middle of the chord at a signed distance to the left of start -> end.
 Vector2d beside_chord(const ArcEnds& ends, double left_mm) {
     const double x = ends.end.x() - ends.start.x();
     const double y = ends.end.y() - ends.start.y();

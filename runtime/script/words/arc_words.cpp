@@ -12,8 +12,8 @@ using text::DiagnosticKind;
 
 namespace {
 
-/// The move of a plain arc word with its words as the first argument; upvalues: interpreter, ccw, word id,
-/// name.
+/// Makes the move of a plain arc word with its words as the first argument; upvalues: interpreter, ccw, word
+/// id, name.
 void move_along_arc(lua_State* state, Interpreter& interpreter) {
     if (lua_isnoneornil(state, 1)) return;
     const bool ccw = lua_toboolean(state, lua_upvalueindex(2)) != 0;
@@ -28,7 +28,7 @@ void move_along_arc(lua_State* state, Interpreter& interpreter) {
     interpreter.check(state, interpreter.simulator().move(move));
 }
 
-/// G2{..} and G3{..}; upvalues as above.
+/// Implements G2{..} and G3{..}; upvalues as above.
 int arc_word(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
@@ -38,7 +38,7 @@ int arc_word(lua_State* state) {
     return 0;
 }
 
-/// move{..} where a plain arc is modal; upvalues as above.
+/// Implements move{..} if a plain arc is modal; upvalues as above.
 int modal_arc_word(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
@@ -46,7 +46,7 @@ int modal_arc_word(lua_State* state) {
     return 0;
 }
 
-/// core.arc_word(ccw, id, name)
+/// Implements core.arc_word(ccw, id, name).
 template <int (*Function)(lua_State*)>
 int make_arc_word(lua_State* state) {
     const bool ccw = lua_toboolean(state, 1) != 0;
@@ -60,8 +60,8 @@ int make_arc_word(lua_State* state) {
     return 1;
 }
 
-/// core.read_arc(ccw, words): the arc in machine coordinates, as core.arc takes it: its plane, its sense, its
-/// centre along the plane's two directions, its sweep and its target.
+/// Implements core.read_arc(ccw, words): returns the arc in machine coordinates, in the form of core.arc.
+/// These are its plane, its sense, its centre along the plane's two directions, its sweep and its target.
 int read_arc_words(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     luaL_checktype(state, 2, LUA_TTABLE);
@@ -76,8 +76,8 @@ int read_arc_words(lua_State* state) {
     return 6;
 }
 
-/// core.plane_across(x, y, z): the plane at right angles to a vector, as core.arc takes it, and whether arcs
-/// that are counter-clockwise about the vector are so in that plane.
+/// Implements core.plane_across(x, y, z): returns the plane at right angles to a vector, in the form of
+/// core.arc. Also returns true if arcs that are counter-clockwise about the vector are so in that plane.
 int plane_across(lua_State* state) {
     const Eigen::Vector3d vector(luaL_checknumber(state, 1), luaL_checknumber(state, 2),
                                  luaL_checknumber(state, 3));
@@ -102,20 +102,20 @@ int set_plane(lua_State* state) {
     return 0;
 }
 
-/// core.set_absolute_arc_centers(on): I, J and K are a point, or a vector from the start.
+/// Implements core.set_absolute_arc_centers(on): I, J and K are a point, or a vector from the start.
 int set_absolute_arc_centers(lua_State* state) {
     interpreter_of(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
-/// A field of the table that is the first argument; as it is where it is left out.
+/// Reads a field of the table that is the first argument; a missing field leaves `value` as it is.
 void take_field(lua_State* state, const char* name, double& value) {
     lua_getfield(state, 1, name);
     value = luaL_optnumber(state, -1, value);
     lua_pop(state, 1);
 }
 
-/// core.set_arc_rules{...}: the fields of ArcRules by their names.
+/// Implements core.set_arc_rules{...}: the fields of ArcRules by their names.
 int set_arc_rules(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     ArcRules& rules = interpreter_of(state).modal().arc_rules;

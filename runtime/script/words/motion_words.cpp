@@ -6,7 +6,7 @@ namespace gsim::script {
 
 namespace {
 
-/// G0{..} and G1{..}; upvalues: interpreter, rapid, word id.
+/// Implements G0{..} and G1{..}; upvalues: interpreter, rapid, word id.
 int line_word(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const bool rapid = lua_toboolean(state, lua_upvalueindex(2)) != 0;
@@ -17,7 +17,7 @@ int line_word(lua_State* state) {
     return 0;
 }
 
-/// move{..} where a plain line is modal; upvalues as above.
+/// Implements move{..} if a plain line is modal; upvalues as above.
 int modal_line_word(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
@@ -36,13 +36,13 @@ int make_line_word(lua_State* state) {
     return 1;
 }
 
-/// core.line(rapid, words): the move alone, for words that are made of it.
+/// Implements core.line(rapid, words): the move alone, for words that consist of it.
 int line(lua_State* state) {
     interpreter_of(state).line(state, lua_toboolean(state, 1) != 0, 2);
     return 0;
 }
 
-/// core.set_modal_tables(environment, names, moves), see Interpreter::ModalTables.
+/// Implements core.set_modal_tables(environment, names, moves), see Interpreter::ModalTables.
 int set_modal_tables(lua_State* state) {
     for (int i = 1; i <= 3; ++i) luaL_checktype(state, i, LUA_TTABLE);
     lua_settop(state, 3);
@@ -52,7 +52,7 @@ int set_modal_tables(lua_State* state) {
     return 0;
 }
 
-/// core.make_modal(id): that motion is modal, and `move` goes on with it whatever it was.
+/// Implements core.make_modal(id): that motion is modal, and `move` continues with it, whatever it was.
 int make_modal(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.modal().modal_word = kMaxWordIds;
@@ -60,13 +60,13 @@ int make_modal(lua_State* state) {
     return 0;
 }
 
-/// core.motion(): the name of the modal motion.
+/// Implements core.motion(): the name of the modal motion.
 int motion(lua_State* state) {
     interpreter_of(state).push_motion(state);
     return 1;
 }
 
-/// core.motion_id(): for core.make_modal().
+/// Implements core.motion_id(), for core.make_modal().
 int motion_id(lua_State* state) {
     lua_pushinteger(state, static_cast<lua_Integer>(interpreter_of(state).modal().modal_word));
     return 1;

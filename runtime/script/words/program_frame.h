@@ -9,22 +9,22 @@
 
 namespace gsim::script {
 
-/// The map between program coordinates (in mm and deg, absolute) and machine coordinates. Per axis
-/// machine = program + offset; where a matrix is set (rotation, scaling, mirror image), X, Y and Z are
-/// machine = matrix * program + offset.
+/// Map between program coordinates (in mm and deg, absolute) and machine coordinates. Per axis machine =
+/// program + offset. If a matrix is set (rotation, scaling, mirror image), X, Y and Z are machine = matrix *
+/// program + offset.
 class ProgramFrame {
   public:
-    /// The identity. `space_axes`: index of the machine's X, Y and Z axis, -1 where it has none.
+    /// Makes the identity. `space_axes`: index of the machine's X, Y and Z axis, -1 if it does not have one.
     ProgramFrame(std::size_t axis_count, const std::array<int, 3>& space_axes);
 
     double offset(int axis) const { return offset_[axis]; }
-    /// True where it changes.
+    /// Returns true if the offset changes.
     bool set_offset(int axis, double value) { return std::exchange(offset_[axis], value) != value; }
-    /// False where the matrix cannot be inverted; it is not set then.
+    /// Returns false if the matrix cannot be inverted; it is not set then.
     bool set_matrix(const std::optional<Eigen::Matrix3d>& matrix);
     bool has_matrix() const { return matrix_.has_value(); }
 
-    /// A vector of X, Y and Z, without the offset.
+    /// Maps a vector of X, Y and Z, without the offset.
     Eigen::Vector3d direction(const Eigen::Vector3d& program) const;
     simulation::AxisVector to_machine(simulation::AxisVector program) const;
     simulation::AxisVector to_program(simulation::AxisVector machine) const;

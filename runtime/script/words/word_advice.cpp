@@ -13,7 +13,7 @@ namespace gsim::script {
 
 namespace {
 
-/// Letters that are words by themselves, and what they are.
+/// Letter that is a word by itself, and its meaning.
 struct Alone {
     std::string_view key, meaning;
 };

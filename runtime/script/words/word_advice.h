@@ -7,8 +7,8 @@
 
 namespace gsim::script {
 
-/// What would be right in place of a key that a word does not take, as the end of a sentence: "; write x".
-/// `value`: what the script gives it, where that is a number; `taken`: the keys that the word takes.
+/// Returns a suggested fix for a key that a word does not accept, as the end of a message: "; write x".
+/// `value`: the script's value for it, if that is a number; `taken`: the keys that the word accepts.
 std::string word_advice(std::string_view key, std::optional<double> value,
                         std::span<const std::string_view> taken);
 

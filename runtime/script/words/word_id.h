@@ -6,7 +6,7 @@
 
 namespace gsim::script {
 
-/// The id of a word, as the library numbers them; an error of Lua where the argument is none.
+/// Returns the id of a word, as the library numbers them; raises an error of Lua if the argument is none.
 inline lua_Integer check_word_id(lua_State* state, int argument) {
     const lua_Integer id = luaL_checkinteger(state, argument);
     luaL_argcheck(state, id >= 0 && id < static_cast<lua_Integer>(kMaxWordIds), argument, "no word id");

@@ -1,8 +1,8 @@
-// Dialogs, which are there until they are closed.
+// Dialogs, which stay open until they are closed.
 
 import { element } from "../core/dom";
 
-/** Shows a dialog; `ended` is called when it has been closed, however. */
+/** Shows a dialog; `ended` is called after it has been closed by any action. */
 export function showDialog(title: string, contents: (Node | string)[], ended: () => void = () => {}): HTMLDialogElement {
   const closed = () => {
     dialog.remove();

@@ -1,4 +1,4 @@
-// Samples to begin with.
+// Samples for newcomers.
 
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
@@ -48,7 +48,7 @@ export const samples: Sample[] = [
   },
 ];
 
-/** A sample as it is, whatever was chosen before. */
+/** Returns the unchanged setup of a sample, regardless of earlier choices. */
 export const setupOf = (sample: Sample): Setup => ({ ...emptySetup(), ...sample.setup });
 
 export function showGallery(session: Session): void {

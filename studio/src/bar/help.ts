@@ -1,9 +1,9 @@
-// Which keys do what.
+// Help on keys.
 
 import { element } from "../core/dom";
 import { texts } from "../texts";
 
-/** `isServed`: the page talks to gsim-studio. */
+/** Shows the help. `isServed`: the page is connected to gsim-studio. */
 export function showHelp(isServed: boolean): void {
   const t = texts.bar;
   const keys = isServed ? [...t.keys, texts.folder.saveKey] : t.keys;

@@ -1,4 +1,4 @@
-// The bar on top: what is run on what, running and cancelling, files, units, theme, help.
+// Bar at the top: program and machine, running and cancelling, files, units, theme, help.
 
 import "./bar.css";
 import { element } from "../core/dom";
@@ -15,7 +15,7 @@ import { createUndo } from "./undo";
 
 const t = texts.bar;
 
-/** Run, or cancel and how far it is. */
+/** Creates the Run button, which is replaced by Cancel and the progress. */
 function runControls(store: Store, session: Session): HTMLElement {
   const run = element("button", { class: "primary", id: "run-button", title: t.runTitle, onclick: () => void session.run() }, t.run);
   const cancel = element("button", { id: "cancel-button", onclick: () => session.cancel() }, t.cancel);
@@ -27,7 +27,7 @@ function runControls(store: Store, session: Session): HTMLElement {
     run.disabled = !session.setup.program;
     run.hidden = running !== null;
     for (const each of [cancel, progress, done]) each.hidden = running === null;
-    // The one takes the other's place, for the keyboard, too.
+    // The button that appears also takes over the keyboard focus.
     if (hadFocus) (running ? cancel : run).focus();
     if (!running) return;
     if (running.total > 0) progress.value = Math.min(1, running.done / running.total);
@@ -39,7 +39,7 @@ function runControls(store: Store, session: Session): HTMLElement {
   return element("span", { class: "run" }, run, cancel, progress, done);
 }
 
-/** A sentence below the bar, until it is dismissed or a person runs the program. */
+/** Creates a message line below the bar, shown until it is dismissed or the user runs the program. */
 function noticeLine(store: Store): HTMLElement {
   const text = element("span", {});
   const dismiss = element("button", { onclick: () => store.set("notice", ""), "aria-label": t.dismiss }, "×");
@@ -51,7 +51,7 @@ function noticeLine(store: Store): HTMLElement {
   return host;
 }
 
-/** What was typed and not saved is asked for before the page goes. */
+/** Warns the user about unsaved text before the page is closed. */
 function guardEdits(session: Session, folder: Folder | null): void {
   addEventListener("beforeunload", (event) => {
     session.history.keepTyped();
@@ -59,7 +59,7 @@ function guardEdits(session: Session, folder: Folder | null): void {
   });
 }
 
-/** `folder`: the one that gsim-studio serves; null: the page stands alone. */
+/** Fills the bar. `folder`: the one that gsim-studio serves; null: the page is used without a server. */
 export function createBar(host: HTMLElement, store: Store, session: Session, folder: Folder | null): void {
   const controls = folder && createFolderControls(session, folder);
   const choices = createChoices(session, controls?.markOf ?? (() => ""));

@@ -1,4 +1,4 @@
-// The bar of a page with a finished run: what it is of, and preferences.
+// Bar of a page with a finished run: its title, and preferences.
 
 import "./bar.css";
 import { element } from "../core/dom";
@@ -6,7 +6,7 @@ import type { Store } from "../core/store";
 import { texts } from "../texts";
 import { preferences } from "./preferences";
 
-/** What a page with a finished run says in place of choices. */
+/** Creates the title of a page with a finished run, which replaces the choices. */
 function titleOfRun(store: Store): HTMLElement {
   const host = element("span", { class: "of-run" });
   store.watch(["run"], () => {

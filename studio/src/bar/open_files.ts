@@ -1,4 +1,5 @@
-// Files that a person drops on the page or chooses: they become documents, and the setup takes those that it can use.
+// Files that the user drops on the page or chooses: they become documents, and the setup takes those that it
+// can use.
 
 import type { FileContent } from "../core/file_content";
 import { askForFiles } from "../core/files";
@@ -23,7 +24,7 @@ const keyOf: Partial<Record<FileKind, keyof Setup>> = {
   program: "program",
 };
 
-/** What of the setup becomes of files, each where it belongs; of several programs the first. */
+/** Returns the changes of the setup by files, each in its field; of several programs the first. */
 function setupOf(files: Record<string, FileContent>): Partial<Setup> {
   const change: Record<string, string> = {};
   for (const [name, content] of Object.entries(files)) {
@@ -37,12 +38,15 @@ function setupOf(files: Record<string, FileContent>): Partial<Setup> {
   return change;
 }
 
-/** Path files and drawings go to the form of paths, variants to theirs; of several the first. Returns those that are taken. */
+/**
+ * Passes path files and drawings to the form of paths, variants to theirs; of several the first. Returns
+ * those that are taken.
+ */
 function takeForForms(files: Record<string, FileContent>, store: Store): string[] {
   const first = (wanted: FileKind) => Object.keys(files).find((name) => kindOfFile(name, files[name]) === wanted);
   const [path, drawing] = [first("path"), first("drawing")];
   if (path) store.set("pathFile", path);
-  // The same one again is wanted again.
+  // The same name must trigger a change again.
   if (drawing) for (const name of ["", drawing]) store.set("drawing", name);
   if (path || drawing) store.set("form", "paths");
   const variants = first("variants");
@@ -51,7 +55,7 @@ function takeForForms(files: Record<string, FileContent>, store: Store): string[
   return [path, drawing, variants].filter((name) => name !== undefined);
 }
 
-/** Which of several programs runs: one of the upper folders before those below, by name. */
+/** Orders programs to choose the one to run: upper folders before those below, then by name. */
 const byFolder = (a: Opened, b: Opened): number =>
   a.name.split("/").length - b.name.split("/").length || a.name.localeCompare(b.name);
 
@@ -70,7 +74,7 @@ async function open(opened: Opened[], session: Session): Promise<void> {
   store.set("notice", said);
 }
 
-/** The files of an entry, folders gone through; names are those below the dropped folder. */
+/** Returns the files of an entry, including subfolders; names are relative to the dropped folder. */
 async function filesOf(entry: FileSystemEntry, path: string): Promise<Opened[]> {
   if (entry.isFile) {
     const file = await new Promise<File>((take, fail) => (entry as FileSystemFileEntry).file(take, fail));
@@ -85,7 +89,7 @@ async function filesOf(entry: FileSystemEntry, path: string): Promise<Opened[]> 
   }
 }
 
-/** What newer browsers give in place of entries, which Chromium does not read in a page from a disk. */
+/** Replacement for entries in newer browsers: Chromium does not read entries in a page from a disk. */
 interface Handle {
   kind: "file" | "directory";
   name: string;
@@ -100,7 +104,7 @@ async function filesOfHandle(handle: Handle, path: string): Promise<Opened[]> {
   return found;
 }
 
-/** Has to ask at once: behind the event there is nothing to be had of its items. */
+/** Reads the item at once, because its data are not available after the event. */
 function filesOfItem(item: DataTransferItem): Promise<Opened[]> {
   const asked = (item as { getAsFileSystemHandle?: () => Promise<Handle | null> }).getAsFileSystemHandle?.();
   const entry = item.webkitGetAsEntry();
@@ -111,7 +115,7 @@ function filesOfItem(item: DataTransferItem): Promise<Opened[]> {
   return asked.then((handle) => (handle ? filesOfHandle(handle, "") : byEntry())).catch(byEntry);
 }
 
-/** What is dropped anywhere on the page is opened. */
+/** Opens files that are dropped anywhere on the page. */
 export function acceptDrops(session: Session): void {
   const body = document.body;
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
@@ -134,7 +138,7 @@ export function acceptDrops(session: Session): void {
   });
 }
 
-/** Asks for files by the system's dialog. */
+/** Opens the system's file dialog. */
 export function chooseFiles(session: Session): void {
   askForFiles(true, (files) => {
     open(files.map((file) => ({ name: file.name, file })), session).catch((fault: unknown) =>

@@ -1,4 +1,5 @@
-// What is run on what: the choices in the bar, and the rarer ones behind "More". Each is made once and follows the setup.
+// Program and machine: the choices in the bar, and the rarer ones in "More". Each is created once and follows
+// the setup.
 
 import { Debounced } from "../core/debounced";
 import type { Documents } from "../core/documents";
@@ -11,13 +12,13 @@ import { texts } from "../texts";
 
 const t = texts.bar;
 
-/** A choice with what brings it up to date. */
+/** Choice with its update function. */
 interface Choice {
   element: HTMLElement;
   renew(): void;
 }
 
-/** What a person chooses can be taken back; `label` says what it was. */
+/** Applies a choice of the user as an undoable step; `label` describes it. */
 function choose(session: Session, label: string, setup: Partial<Setup>): void {
   session.history.edit(label, { setup });
   if (session.setup.program) void session.run();
@@ -26,23 +27,23 @@ function choose(session: Session, label: string, setup: Partial<Setup>): void {
 const labelled = (label: string, control: HTMLElement): HTMLElement =>
   element("label", {}, element("span", {}, label), control);
 
-/** What stands behind a name in choices. */
+/** Mark after a name in choices. */
 export type MarkOf = (name: string) => string;
 
-/** `none` says what it is without a file; null: there has to be one. */
+/** Creates a file choice. `none` is its label without a file; null: a file is required. */
 function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkOf): Choice {
   const select = choice(label, [], "", (name) => {
-    // A program brings its language along, by its name; what the one before needed is not its.
+    // A program defines its language by its name; settings for the previous program do not apply to it.
     const setup = key === "program" ? { program: name, dialect: dialectOfName(name), robots: "" } : { [key]: name };
     choose(session, t.chosen(label, name ? shortName(name) : (none ?? "")), setup);
   });
   const renew = () => {
     const value = session.setup[key];
     const names = namesOfKind(key, session.documents);
-    // What is set is shown, also where no such file is here any more.
+    // A set value is shown even if its file no longer exists here.
     if (value && !names.includes(value)) names.push(value);
     const options = names.map((name): [string, string] => {
-      // A sample's may be that of another file, too.
+      // Another file may have the same short name as a sample.
       const shown = names.includes(shortName(name)) ? name : shortName(name);
       return [name, `${shown} ${mark(name)}`.trim()];
     });
@@ -59,7 +60,7 @@ function dialectChoice(session: Session): Choice {
   return { element: labelled(t.language, select), renew: () => offer(select, options, session.setup.dialect) };
 }
 
-/** In place of the machine file's: one that is built in, or a file. */
+/** Creates the choice of a controller instead of the machine file's: a built-in one, or a file. */
 function controlChoice(session: Session): Choice {
   const select = choice(t.control, [], "", (controller) =>
     choose(session, t.chosen(t.control, controller ? shortName(controller) : t.asTheMachineSays), { controller }),
@@ -99,14 +100,16 @@ function collisions(session: Session): Choice {
   return { element: row, renew: () => (input.checked = session.setup.collisions) };
 }
 
-/** How many of the settings behind "More" are not as they are at first: what is out of sight is at work, too. */
+/**
+ * Counts the settings in "More" that are not at their defaults, because hidden settings have an effect, too.
+ */
 function changedSettings(setup: Readonly<Setup>): number {
   const first = emptySetup();
   const hidden = ["dialect", "controller", "machine_data", "robots", ...overrideKeys, "collisions"] as const;
   return hidden.filter((key) => setup[key] !== first[key]).length;
 }
 
-/** What opens below its word, until Escape or a click elsewhere. */
+/** Creates an element that opens below its label, until Escape or a click elsewhere. */
 function createMore(summary: HTMLElement, ...content: HTMLElement[]): HTMLElement {
   const details = element("details", {}, summary, element("div", {}, ...content));
   document.addEventListener("keydown", (event) => {
@@ -120,7 +123,7 @@ function createMore(summary: HTMLElement, ...content: HTMLElement[]): HTMLElemen
   return details;
 }
 
-/** Whether a name is in the choices as it should be: what changes in a file makes no other choice. */
+/** Returns true if a name is correctly listed in the choices: changes within a file do not affect them. */
 const isListed = (host: HTMLElement, name: string, documents: Documents): boolean =>
   documents.get(name) !== undefined && host.querySelector(`option[value="${CSS.escape(name)}"]`) !== null;
 

@@ -1,4 +1,4 @@
-// Taking back and doing again: two buttons, and keys wherever no text is being written.
+// Undo and redo: two buttons, and keys, except while text is being written.
 
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
@@ -7,11 +7,11 @@ import { texts } from "../texts";
 
 const t = texts.bar;
 
-// These have an undo of their own.
+// Text fields have an undo of their own; these types have none.
 const boxes = ":is([type=checkbox], [type=radio], [type=range], [type=button])";
 const writes = `input:not(${boxes}), textarea, [contenteditable], .cm-editor`;
 
-/** Which of the two a key asks for. */
+/** Returns which of the two a key requests. */
 function askedBy(event: KeyboardEvent): "undo" | "redo" | null {
   if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return null;
   const key = event.key.toLowerCase();
@@ -29,7 +29,7 @@ export function createUndo(store: Store, session: Session): HTMLElement {
     said = way === "undo" ? t.undone(label) : t.redone(label);
     store.set("notice", said);
   };
-  // They keep the focus when there is nothing left: so they are never disabled.
+  // They are never disabled, so that they keep the focus if no step is left.
   const button = (way: "undo" | "redo", sign: string) => element("button", { id: `${way}-button`, onclick: () => go(way) }, sign);
   const [undo, redo] = [button("undo", "↶"), button("redo", "↷")];
   const show = (one: HTMLElement, title: string, label: string) => {
@@ -43,13 +43,13 @@ export function createUndo(store: Store, session: Session): HTMLElement {
   };
   history.on(() => {
     renew();
-    // What was said of a step before does not hold of this one.
+    // The notice of a previous step does not apply to this one.
     if (said && store.get("notice") === said) store.set("notice", "");
   });
   renew();
   document.addEventListener("keydown", (event) => {
     const way = askedBy(event);
-    // A dialog is about something that the page behind it has to leave as it is.
+    // An open dialog concerns data that the page must leave unchanged.
     if (!way || (event.target as Element).closest?.(writes) || document.querySelector("dialog[open]")) return;
     event.preventDefault();
     go(way);

@@ -1,4 +1,5 @@
-// How the editor looks; colours are variables of the page (style.css, code.css), so that they follow the theme.
+// Appearance of the editor; colours are variables of the page (style.css, code.css), so that they follow the
+// theme.
 
 import { syntaxHighlighting } from "@codemirror/language";
 import type { Extension } from "@codemirror/state";

@@ -1,18 +1,18 @@
-// Runs as a person types: when the text has been found to be without errors, and the last run was short.
+// Automatic runs while the user types: if the check has found no errors, and the last run was short.
 
 import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 
 const SHORT_S = 1;
-/** Of a script nothing is known before it runs: it runs when a person pauses. */
+/** A script cannot be checked before it runs: it runs if the user pauses. */
 const SCRIPT_PAUSE_MS = 600;
-/** With this option on the check comes sooner. */
+/** The check runs sooner with this option on. */
 export const CHECK_PAUSE_MS = 150;
 
 export class AutoRun {
   isOn = false;
-  /** How long the last run took to compute. */
+  /** Computing time of the last run. */
   private took_s = 0;
   private began_ms = 0;
   private isDue = false;
@@ -27,7 +27,7 @@ export class AutoRun {
       if (running && !before) this.began_ms = performance.now();
     });
     store.on("run", () => {
-      // One that had been made before took no time by now.
+      // A run that was loaded, not computed, has no computing time.
       if (store.get("running")) this.took_s = (performance.now() - this.began_ms) / 1000;
     });
   }

@@ -1,4 +1,4 @@
-// What a run says of a line: its blocks, their time and length, how fast they went and what held them back.
+// Facts of a run about a line: its blocks, their time and length, their speed and its limits.
 
 import { limitOfFlags, type NamedLimit } from "../run/limits";
 import type { Robot } from "../run/run";
@@ -10,19 +10,19 @@ export interface BlockFacts {
   length_mm: number;
   /** The highest speed along the path. */
   peak_mm_s: number;
-  /** What held it back for longest. */
+  /** The limit that was active for the longest time. */
   limit: NamedLimit;
 }
 
-/** Beyond so many segments of a line the rest is left out of what is told of it. */
+/** Max number of segments of a line; further ones are ignored in its facts. */
 const ENOUGH = 20_000;
 
-/** Whether a line has run, and not all that it has is here. */
+/** Returns true if a line has run, but not all its data are loaded. */
 export function lacksFacts({ blocks, segments }: Robot, file: number, line: number): boolean {
   return segments.isLong && !blocks.behindTable({ file, line }).next().done;
 }
 
-/** Null: the line has not run, or not all that it has is here. */
+/** Returns null if the line has not run, or not all its data are loaded. */
 export function blockFacts(robot: Robot, file: number, line: number): BlockFacts | null {
   const { blocks, segments, letters } = robot;
   const numbers = blocks.ofLine(file, line);

@@ -1,4 +1,4 @@
-// Checks the text while one types, and shows what a run has said of it.
+// Checks the text during typing, and shows the findings of a run in it.
 
 import { setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { Debounced } from "../core/debounced";
@@ -9,14 +9,14 @@ import { diagnosticOf, findingsOf, findingsOfRun, type Finding } from "./finding
 import type { SourcePane } from "./source_pane";
 
 const PAUSE_MS = 300;
-/** Longer programs are checked when a person rests for so long. */
+/** Longer programs are checked after the user pauses for so long. */
 const LONG_LINES = 200_000;
 const LONG_PAUSE_MS = 3000;
 
 export interface Problems {
   errors: number;
   warnings: number;
-  /** Whether an answer is awaited. */
+  /** True while a result is pending. */
   checking: boolean;
   /** The text is not in the page. */
   isElsewhere: boolean;
@@ -26,11 +26,11 @@ export class Checking {
   private readonly debounced = new Debounced(() => void this.check());
   private ofText: Finding[] = [];
   private ofRun: Finding[] = [];
-  /** Answers to questions of before are dropped. */
+  /** Results for earlier versions are dropped. */
   private version = 0;
   private isAsking = false;
 
-  /** `answered` is told when the present text has been checked. */
+  /** `answered` is called after the present text has been checked. */
   constructor(
     private readonly store: Store,
     private readonly session: Session,
@@ -63,7 +63,7 @@ export class Checking {
   }
 
   private async check(): Promise<void> {
-    // One question at a time: the next begins when this one is answered, with the text of then.
+    // Only one check at a time: the next begins after this one has ended, with the text at that time.
     if (this.isAsking) return this.debounced.after(PAUSE_MS / 3);
     const { version } = this;
     const { name } = this.source;
@@ -89,7 +89,10 @@ export class Checking {
     this.answered(findings.some(({ severity }) => severity === "error"));
   }
 
-  /** Of the run: where lines have not been edited since, and checking has not said it already. */
+  /**
+   * Adds findings of the run if the line has not been edited since, and the check has not reported them
+   * already.
+   */
   private present(): [Finding, number][] {
     const { sheet } = this.source;
     const known = new Set(this.ofText.map(({ line, text }) => `${line} ${text}`));

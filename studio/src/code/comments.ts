@@ -1,5 +1,6 @@
-// Lines to remarks and back. RS274/NGC has ';' to the end of the line; in the 9/Series a block may follow it, so
-// there a line goes between '(' and ')', and the brackets of remarks in it become '{' and '}' meanwhile.
+// Conversion of lines to comments and back. RS274/NGC has ';' to the end of the line. In the 9/Series a block
+// may follow it, so there a line is written between '(' and ')'. The brackets of comments in it become '{'
+// and '}' meanwhile.
 
 import type { EditorState, Line, StateCommand } from "@codemirror/state";
 
@@ -7,7 +8,7 @@ const wrapped = /^(\s*)\((.*)\)\s*$/;
 
 const isRemark = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isOne(text));
 
-// "(A) G1 (B)" begins and ends as a remark does, and is none.
+// "(A) G1 (B)" begins and ends like a comment, but is none.
 function isOne(text: string): boolean {
   const found = wrapped.exec(text);
   return found !== null && !found[2].includes("(") && !found[2].includes(")");
@@ -37,7 +38,10 @@ function selectedLines(state: EditorState): Line[] {
   return [...lines.values()];
 }
 
-/** All lines of the selection that are none yet become remarks; where all are, they become blocks again. */
+/**
+ * Turns all lines of the selection that are no comments into comments; if all are comments, they become
+ * blocks again.
+ */
 export function toggleRemark(isNgc: boolean): StateCommand {
   return ({ state, dispatch }) => {
     const lines = selectedLines(state);

@@ -1,4 +1,4 @@
-// What may stand where one types: codes with their meaning, and words that belong to the codes of the block.
+// Completion of typed text: codes with their meaning, and words that belong to the codes of the block.
 
 import {
   autocompletion,
@@ -21,7 +21,7 @@ const codeOption = (code: Code, dialect: Dialect, label: string): Completion => 
   info: () => codeCard(code, dialect),
 });
 
-/** In the order of their `index`, not of the alphabet. */
+/** Creates an option for a letter; options are ordered by `index`, not alphabetically. */
 const letterOption = (dialect: Dialect, letter: string, index = 0): Completion => ({
   label: letter,
   boost: 99 - index,
@@ -29,7 +29,7 @@ const letterOption = (dialect: Dialect, letter: string, index = 0): Completion =
   type: "variable",
 });
 
-/** Letters of the codes that the line has; with none, or with axis words alone, all letters. */
+/** Returns the letters of the codes in the line; without codes, or with axis words alone, all letters. */
 function lettersFor(line: string, dialect: Dialect): string[] {
   const words = wordsOf(line, dialect.isNgc);
   const present = new Set(words.map(({ letter }) => letter));
@@ -48,7 +48,7 @@ function lettersFor(line: string, dialect: Dialect): string[] {
 function inGcode(context: CompletionContext, dialect: Dialect): CompletionResult | null {
   const line = context.state.doc.lineAt(context.pos);
   const before = line.text.slice(0, context.pos - line.from);
-  // In a comment, blanked text ends in blanks where the text does not.
+  // In a comment, the blanked text ends in blanks but the original text does not.
   if (before.trimEnd() !== "" && /\s$/.test(withoutComments(before, dialect.isNgc).slice(0, before.trimEnd().length))) {
     return null;
   }
@@ -76,7 +76,7 @@ function inLua(context: CompletionContext, dialect: Dialect): CompletionResult |
   return { from: word?.from ?? context.pos, options, validFor: /^\w*$/ };
 }
 
-/** Enter takes an option that was chosen with the arrows, and else begins a new line. */
+/** Accepts an option by Enter if it was chosen with the arrows; otherwise Enter begins a new line. */
 export function completion(dialect: Dialect, isLua: boolean): Extension {
   const source = (context: CompletionContext) => (isLua ? inLua(context, dialect) : inGcode(context, dialect));
   return autocompletion({ override: [source], selectOnOpen: false, icons: false });

@@ -1,9 +1,9 @@
-// The line that the machine is at, marked.
+// Mark of the line that the machine is executing.
 
 import { RangeSetBuilder, StateEffect, StateField, type EditorState, type Text } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, gutterLineClass, type DecorationSet } from "@codemirror/view";
 
-/** The line under way, counted from 1; 0: none. */
+/** Line in progress, counted from 1; 0: none. */
 export const setCurrentLine = StateEffect.define<number>();
 
 const mark = Decoration.line({ class: "cm-runningLine" });
@@ -13,7 +13,7 @@ class RunningMarker extends GutterMarker {
 }
 const gutterMark = new RunningMarker();
 
-/** Where the marked line begins; it moves with what is written above it. */
+/** Start of the marked line; it moves with edits above it. */
 const field = StateField.define<number>({
   create: () => -1,
   update(position, { effects, changes, newDoc }) {

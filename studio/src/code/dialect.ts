@@ -1,16 +1,16 @@
-// A dialect as the editor asks for it: its codes and letters by name, and which dialect a program is in.
+// Dialect for the editor: its codes and letters by name, and the dialect of a program.
 
 import { dialectOfName } from "../core/kinds";
 import type { Code, Language } from "../core/languages";
 import type { Session } from "../core/session";
 import { texts } from "../texts";
 
-/** Controls whose programs are read as RS274/NGC (docs/language.md); capitals, blanks and . - / do not count. */
+/** Controllers with programs in RS274/NGC (docs/language.md); capitals, blanks and . - / are ignored. */
 const ngcControls = new Set(
   "rs274ngc linuxcnc emc2 machinekit eding fluidnc g2core grbl grblhal mach3 mach4 pathpilot tinyg tormach".split(" "),
 );
 
-/** Groups whose codes act once and are then over, so that none of them is in force later on. */
+/** Groups of codes that act only once, so that none of them stays active. */
 const momentary = new Set(["program stop", "subprograms", "tool change", "inputs and outputs", "modal state"]);
 
 export const isModal = (code: Code): boolean => code.group !== null && !momentary.has(code.group);
@@ -20,7 +20,7 @@ export const codeName = (letter: string, number: string): string => letter.toUpp
 
 export class Dialect {
   readonly codes = new Map<string, Code>();
-  /** By the name of the function in Lua. */
+  /** Codes by the name of the function in Lua. */
   readonly functions = new Map<string, Code>();
   readonly letters = new Map<string, string>();
   readonly axes = new Set<string>();
@@ -28,7 +28,7 @@ export class Dialect {
   /** "RS274/NGC" */
   readonly title: string;
 
-  /** `language` is null where the page has no engine: then nothing is known of codes. */
+  /** `language` is null if the page has no engine: then codes are unknown. */
   constructor(
     readonly name: string,
     language: Language | null,
@@ -52,7 +52,7 @@ export class Dialect {
     return this.name === "rs274ngc";
   }
 
-  /** Whether the tables say that there is no such code. M100 to M199 of RS274/NGC are its user's. */
+  /** Returns true if the tables have no such code. M100 to M199 of RS274/NGC are user-defined. */
   isUnknown(name: string): boolean {
     if (this.codes.size === 0 || this.codes.has(name)) return false;
     return !(this.isNgc && /^M1\d\d$/.test(name));
@@ -64,7 +64,7 @@ function dialectOfControl(control: string): string {
   return ngcControls.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
 }
 
-/** As the setup or its machine file says; "": neither does. */
+/** Returns the dialect that the setup or its machine file sets; "": neither does. */
 function saidDialect(session: Session): string {
   const { dialect, machine } = session.setup;
   if (dialect) return dialectOfControl(dialect);
@@ -72,12 +72,15 @@ function saidDialect(session: Session): string {
   return said ? dialectOfControl(said[1]) : "";
 }
 
-/** Where nobody says it, the program's name tells. */
+/** Returns the dialect; if it is not set, the program's name decides. */
 export function dialectName(session: Session, program: string): string {
   return saidDialect(session) || (dialectOfName(program) || "ab9");
 }
 
-/** Whether the engine, which reads what nobody says as ab9, would read the program in another dialect than it looks. */
+/**
+ * Returns true if the engine would read the program in another dialect than it appears to be in: without a
+ * setting it reads ab9.
+ */
 export function isMisread(session: Session, program: string): boolean {
   return saidDialect(session) === "" && dialectName(session, program) !== "ab9";
 }

@@ -1,4 +1,4 @@
-// One CodeMirror editor with all that programs in G-code and in Lua have in common.
+// CodeMirror editor with the features that G-code and Lua have in common.
 
 import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
@@ -21,24 +21,24 @@ import { appearance } from "./appearance";
 import { currentLine, setCurrentLine } from "./current_line";
 import { heatGutter } from "./heat";
 
-/** On what this part of the page does to an editor itself, so that it is not taken for a person's doing. */
+/** Mark of editor changes by this part of the page, to distinguish them from the user's. */
 export const byPage = Annotation.define<boolean>();
 
 export interface EditorEvents {
   updated(update: ViewUpdate): void;
-  /** A click beside a line. */
+  /** Handles a click next to a line. */
   gutterClicked(line: number): void;
   run(): void;
   leave(): void;
 }
 
-/** What may change while the text stays. */
+/** Settings that may change while the text stays. */
 export interface Configuration {
   language: Extension;
   readOnly: boolean;
-  /** For people who do not see it. */
+  /** Label for screen readers. */
   label: string;
-  /** What stands in place of a text that is empty. */
+  /** Text shown in an empty editor. */
   hint: string;
 }
 
@@ -58,7 +58,7 @@ export class Editor {
     }
   }
 
-  /** A state of its own for a text; show() puts it on the screen. */
+  /** Creates a separate state for a text; show() displays it. */
   stateOf(text: string, configuration: Configuration): EditorState {
     return EditorState.create({
       doc: text,
@@ -66,7 +66,7 @@ export class Editor {
     });
   }
 
-  /** Of the text that is shown. */
+  /** Configures the displayed text. */
   configure(configuration: Configuration): void {
     const changed = this.configured.reconfigure(this.extensions(configuration));
     this.view.dispatch({ effects: changed, annotations: byPage.of(true) });
@@ -76,17 +76,17 @@ export class Editor {
     this.view.setState(state);
   }
 
-  /** Seconds since a person scrolled, pressed or typed here. */
+  /** Returns the seconds since the user scrolled, pressed or typed here. */
   get untouched_s(): number {
     return (performance.now() - this.lastHand_ms) / 1000;
   }
 
-  /** Marks the line that the machine is at; 0: none. */
+  /** Marks the line that the machine is executing; 0: none. */
   mark(line: number): void {
     this.view.dispatch({ effects: setCurrentLine.of(line), annotations: byPage.of(true) });
   }
 
-  /** Puts the cursor on a line. */
+  /** Moves the cursor to a line. */
   select(line: number): void {
     const { doc } = this.view.state;
     if (line < 1 || line > doc.lines) return;
@@ -94,8 +94,8 @@ export class Editor {
   }
 
   /**
-   * Scrolls where the line is out of sight or near the edge; a short way smoothly. `height_px`: what is in sight, where
-   * it is less than the editor's height.
+   * Scrolls if the line is out of sight or near the edge; a short distance smoothly. `height_px`: the visible
+   * height, if it is less than the editor's height.
    */
   reveal(line: number, height_px = Infinity): void {
     const { doc } = this.view.state;

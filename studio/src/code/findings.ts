@@ -1,4 +1,4 @@
-// What the engine has to say of a file, by checking its text or by running it, as marks in the editor.
+// Findings of the engine on a file, from checking its text or running it, as marks in the editor.
 
 import type { Diagnostic } from "@codemirror/lint";
 import type { Text } from "@codemirror/state";
@@ -10,18 +10,21 @@ export interface Finding {
   severity: Severity;
   code: string;
   line: number;
-  /** Counted from 1; 0: the whole line. */
+  /** Counted from 1; 0: the complete line. */
   column: number;
   end_column: number;
   text: string;
   hint: string;
 }
 
-/** So many are marked; a program that has more has other troubles. */
+/** Max number of marks; a program with more findings has other problems. */
 const MOST = 1000;
 const MOST_OF_LINE = 5;
 
-/** What the engine tells has its words in `text`, where reports of a run have them in `message` in other lists. */
+/**
+ * Diagnostic with its words in `text`, as the engine sends it, or in `message`, as in other lists of a run's
+ * report.
+ */
 type Worded = Placed & {
   severity?: Severity;
   code?: string;
@@ -44,7 +47,7 @@ function findingOf(worded: Worded, severity: Severity): Finding {
   };
 }
 
-/** Those of a file, each once: what comes later and has the words of one before says nothing new. */
+/** Returns the findings of a file, each once: a later one with the words of an earlier one is dropped. */
 export function findingsOf(file: string, all: Iterable<[Worded, Severity]>): Finding[] {
   const found: Finding[] = [];
   const byLine = new Map<number, Finding[]>();
@@ -61,7 +64,9 @@ export function findingsOf(file: string, all: Iterable<[Worded, Severity]>): Fin
   return found;
 }
 
-/** Diagnostics of a report have all that there is to tell, alarms, limits and collisions among it. */
+/**
+ * Returns the findings of a report. Its diagnostics are complete, including alarms, limits and collisions.
+ */
 function* inReport(report: Report): Generator<[Worded, Severity]> {
   for (const one of report.diagnostics ?? []) yield [one, one.severity];
   for (const robot of report.robots ?? []) yield* inReport(robot);
@@ -82,7 +87,7 @@ function messageOf({ text, hint }: Finding): Node {
   return message;
 }
 
-/** `line`: where the finding's line now is. */
+/** Converts a finding. `line`: the current position of the finding's line. */
 export function diagnosticOf(doc: Text, finding: Finding, line: number): Diagnostic {
   const { from, to, length } = doc.line(line);
   const begin = Math.min(Math.max(finding.column - 1, 0), length);

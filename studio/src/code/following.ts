@@ -1,5 +1,6 @@
-// Code, time and what is chosen go together: the line that the machine is at is marked and kept in sight, a line that
-// a person chooses is shown to the rest of the page, and one that is chosen elsewhere gets the cursor.
+// Synchronisation of code, time and selection. The line that the machine is executing is marked and kept in
+// sight. A line that the user chooses is shown in the other parts of the page, and one chosen elsewhere gets
+// the cursor.
 
 import { showStart } from "../core/go";
 import { lineAtWork, robotOf } from "../core/shown";
@@ -9,13 +10,13 @@ import type { Editor } from "./editor";
 import type { SourcePane } from "./source_pane";
 import { OFFSET_LINES, type TranslationPane } from "./translation_pane";
 
-/** After a person's own scrolling or typing the code stays where it is for so long. */
+/** After the user scrolls or types, the code does not move for so long. */
 const REST_S = 2;
 
-/** G-code and Lua beside each other: they scroll as one. */
+/** G-code and Lua side by side: they scroll together. */
 export interface Split {
   isOn(): boolean;
-  /** Brings the Lua to where the G-code is. */
+  /** Scrolls the Lua to the position of the G-code. */
   align(): void;
 }
 
@@ -39,7 +40,7 @@ export class Following {
     });
   }
 
-  /** A person has put the cursor on a line of the program. */
+  /** Handles the user's cursor on a line of the program. */
   choose(line: number): void {
     const { store, source } = this;
     const place = source.runPlace(line);
@@ -51,12 +52,12 @@ export class Following {
     this.isOwn = false;
   }
 
-  /** Marks anew, without scrolling: another text or another run is shown. */
+  /** Renews the mark without scrolling: another text or another run is shown. */
   renew(): void {
     this.later(false);
   }
 
-  /** Scrolls to the marked line, where a person has asked to see the other pane. */
+  /** Scrolls to the marked line after the user has opened the other pane. */
   reveal(): void {
     const place = lineAtWork(this.store);
     if (place?.file === this.source.name) this.revealLine(this.source.sheet.lineOfRun(place.line));
@@ -73,7 +74,7 @@ export class Following {
     this.revealLine(here);
   }
 
-  // A frame's worth of changes of the time is one change of the mark.
+  // Changes of the time within one frame are combined into one change of the mark.
   private later(mayScroll: boolean): void {
     this.mayScroll ||= mayScroll;
     if (this.isDue) return;
@@ -116,7 +117,7 @@ export class Following {
 
 const marked = new WeakMap<Editor, [unknown, number]>();
 
-/** Spares the editor what it shows already. */
+/** Marks a line only if the editor does not show the mark already. */
 function mark(editor: Editor, line: number): void {
   const { doc } = editor.view.state;
   const [before, beforeLine] = marked.get(editor) ?? [null, 0];

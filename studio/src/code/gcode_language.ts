@@ -1,4 +1,4 @@
-// Colours of G-code, from the engine's own tables.
+// Colours of G-code, from the engine's tables.
 
 import { StreamLanguage, type StringStream } from "@codemirror/language";
 import { codeName, type Dialect } from "./dialect";
@@ -18,7 +18,7 @@ function codeToken(dialect: Dialect, letter: string, number: string): string {
   return !group && /^G[0123]$/.test(name) ? "motion" : "gcode";
 }
 
-/** The letter alone is coloured: its number has the colour of numbers. */
+/** Returns the colour of the letter alone: its number has the colour of numbers. */
 function letterToken(dialect: Dialect, letter: string): string {
   const capital = letter.toUpperCase();
   if (dialect.axes.has(capital)) return "axis";

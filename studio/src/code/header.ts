@@ -1,4 +1,4 @@
-// Above the editor: which file, whether it is changed, what is shown of it, and Run.
+// Header above the editor: the file, its change mark, the shown part, and Run.
 
 import { check, element } from "../core/dom";
 import { baseName } from "../core/kinds";
@@ -8,19 +8,19 @@ export type Tab = "source" | "lua" | "both";
 
 export interface HeaderState {
   name: string;
-  /** Files that may be shown; the program first. */
+  /** Files that can be shown; the program first. */
   files: string[];
   isModified: boolean;
   changedSinceRun: boolean;
   readOnly: boolean;
   canRun: boolean;
-  /** Share that a run under way has done; null: none is under way; NaN: not known. */
+  /** Completed share of the current run; null: no run in progress; NaN: unknown. */
   running: number | null;
   tab: Tab;
   hasTabs: boolean;
   autoRun: boolean;
   autoRunTooSlow: boolean;
-  /** The G-code that the shown Lua was made of; "": of none. */
+  /** G-code from which the shown Lua was made; "": none. */
   origin: string;
 }
 
@@ -73,7 +73,7 @@ export class Header {
     );
   }
 
-  /** Gives the focus to what stands before the editor. */
+  /** Gives the focus to the element before the editor. */
   focus(): void {
     (this.runButton.hidden || this.runButton.disabled ? this.files : this.runButton).focus();
   }

@@ -1,15 +1,15 @@
-// A slim column beside the lines: how long each takes, as a share of the slowest.
+// Slim column next to the lines: the time of each, as a share of the slowest.
 
 import { StateEffect, StateField, type Extension } from "@codemirror/state";
 import { GutterMarker, gutter } from "@codemirror/view";
 import { element } from "../core/dom";
 
-/** The time of a line in seconds, the slowest line's, and words for it; null: it has not run. */
+/** Time of each line in seconds as a share of the slowest line's, with a text; null: it has not run. */
 export interface Heat {
   of(line: number): { share: number; text: string } | null;
 }
 
-/** Puts another run's times in place. */
+/** Replaces the times by those of another run. */
 export const setHeat = StateEffect.define<Heat | null>();
 
 const heatField = StateField.define<Heat | null>({

@@ -1,4 +1,4 @@
-// The times of the shown file's lines in the shown run.
+// Times of the shown file's lines in the shown run.
 
 import type { Store } from "../core/store";
 import { percentText, timeText } from "../core/units";
@@ -7,14 +7,16 @@ import type { Heat } from "./heat";
 import { lineTimes } from "./line_times";
 import type { SourcePane } from "./source_pane";
 
-/** Whether the shown file has run, and its lines have no times as not all of the run is here. */
+/**
+ * Returns true if the shown file has run, but its lines have no times because not all of the run is loaded.
+ */
 export function lacksTimes(store: Store, source: SourcePane): boolean {
   const run = store.get("run");
   const index = store.get("robot");
   return run !== null && run.fileOf(index, source.name) >= 0 && (run.robots[index]?.segments.isLong ?? false);
 }
 
-/** Null: the file has not run, or the run is so long that not all of it is here. */
+/** Returns null if the file has not run, or the run is so long that not all of it is loaded. */
 export function heatOfRun(store: Store, source: SourcePane): Heat | null {
   const run = store.get("run");
   const index = store.get("robot");

@@ -1,4 +1,4 @@
-// What stands beside a word under the pointer: what it does, what its block took, what is in force there.
+// Card next to a word under the pointer: its meaning, the data of its block, the active modal codes.
 
 import { StateEffect, StateField, type Extension } from "@codemirror/state";
 import { closeHoverTooltips, hoverTooltip, keymap, showTooltip, type EditorView, type Tooltip } from "@codemirror/view";
@@ -16,15 +16,15 @@ import { isCode, wordsOf } from "./words";
 
 const words = texts.code.hover;
 
-/** What an editor must know for its hovering. */
+/** Data that an editor needs for its hover cards. */
 export interface HoverContext {
   store: Store;
   dialect(): Dialect;
-  /** File and line of the shown run for a line of this text; null: it has not run. */
+  /** Returns file and line of the shown run for a line of this text; null: it has not run. */
   runPlace(line: number): { file: number; line: number } | null;
-  /** In force behind a line; null: nothing is known. */
+  /** Returns the active codes after a line; null: unknown. */
   modal(line: number): Promise<ModalState | null>;
-  /** Lua: words are functions of the library. */
+  /** True for Lua: words are functions of the library. */
   isLua: boolean;
 }
 
@@ -33,7 +33,7 @@ function wordsTaken(code: Code, dialect: Dialect): string {
   return [...(code.axes ? [[...dialect.axes].join(" ")] : []), ...letters].join(" ");
 }
 
-/** What a code is and takes. */
+/** Creates a card with a code's meaning and its words. */
 export function codeCard(code: Code, dialect: Dialect): HTMLElement {
   const card = element("div", { class: "code-card" }, element("b", {}, code.code), ` ${code.meaning}`);
   const taken = wordsTaken(code, dialect);
@@ -97,7 +97,7 @@ function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
   return element("div", { class: "code-card" }, element("div", { class: "code-dim" }, title), list);
 }
 
-/** What the block of a line took, or why that is not told; null: it has not run. */
+/** Returns the data of a line's block, or the reason why they are missing; null: it has not run. */
 function factsAt(context: HoverContext, line: number): HTMLElement | null {
   const place = context.runPlace(line);
   const robot = robotOf(context.store);
@@ -129,7 +129,7 @@ async function tooltip(context: HoverContext, view: EditorView, pos: number): Pr
 
 const setAtCursor = StateEffect.define<Tooltip | null>();
 
-/** For those without a pointer: the cards of the word at the cursor, until the cursor or the text moves. */
+/** Cards of the word at the cursor, for users without a pointer, until the cursor or the text moves. */
 const atCursor = StateField.define<Tooltip | null>({
   create: () => null,
   update(shown, { effects, selection, docChanged }) {
@@ -155,7 +155,7 @@ function hide(view: EditorView): boolean {
   return true;
 }
 
-/** The cards as a tooltip of an editor: under the pointer, and at the cursor by Ctrl+I. */
+/** Shows the cards as a tooltip of an editor: under the pointer, and at the cursor by Ctrl+I. */
 export const hover = (context: HoverContext): Extension => [
   hoverTooltip((view, position) => tooltip(context, view, position), { hoverTime: 350, hideOnChange: true }),
   atCursor,

@@ -1,4 +1,4 @@
-// The code: the program and its Lua, in step with the run.
+// Code pane: the program and its Lua, synchronised with the run.
 
 import "./code.css";
 import { Debounced } from "../core/debounced";
@@ -23,10 +23,10 @@ import { TranslationPane } from "./translation_pane";
 
 const words = texts.code;
 
-/** Longer programs are translated when a person asks to see the Lua, and not while they type. */
+/** Longer programs are translated if the user opens the Lua, not during typing. */
 const LONG_LINES = 200_000;
 const TRANSLATION_PAUSE_MS = 500;
-/** From this width on G-code and Lua stand side by side. */
+/** Min width for G-code and Lua side by side. */
 const WIDE_PX = 560;
 
 class CodePart {
@@ -118,7 +118,7 @@ class CodePart {
     store.watch(["robot"], () => this.renewHeat());
     new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= WIDE_PX)).observe(host);
     host.addEventListener("keydown", (event) => {
-      // What is saved by it has to be handed on.
+      // The text to be saved must be passed on first.
       if (event.key.toLowerCase() === "s" && (event.ctrlKey || event.metaKey)) this.source.flush();
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey) || event.defaultPrevented) return;
       event.preventDefault();
@@ -143,7 +143,7 @@ class CodePart {
 
   private setupChanged(): void {
     const { program } = this.session.setup;
-    // A new program that is typed has its name from here.
+    // A new typed program gets its name here.
     const isAnother = program !== this.program && program !== this.source.name;
     if (isAnother) return this.open(program);
     this.program = program;
@@ -151,7 +151,7 @@ class CodePart {
     this.textChanged();
   }
 
-  /** Another text, or the same read otherwise. */
+  /** Handles another text, or the same in another dialect. */
   private textChanged(): void {
     this.translation.clear();
     this.checking.shown();
@@ -175,7 +175,7 @@ class CodePart {
   }
 
   private ranAnew(): void {
-    // A run that was there when the page was opened brings its own sources.
+    // A run that existed when the page was opened contains its sources.
     const { program } = this.session.setup;
     const ran = this.store.get("run")?.report?.program ?? "";
     if (!program && ran && this.source.has(ran) && this.source.name !== ran) this.source.show(ran);
@@ -233,7 +233,7 @@ class CodePart {
     this.following.choose(line);
   }
 
-  // The editor has to measure its new text first.
+  // The editor must measure its new text first.
   private translated(): void {
     this.following.renew();
     requestAnimationFrame(() => (this.tab === "lua" ? this.following.reveal() : this.align()));

@@ -1,4 +1,4 @@
-// How long each line of a file takes in a run, over all its passes.
+// Time of each line of a file in a run, over all its passes.
 
 import type { Robot } from "../run/run";
 
@@ -16,7 +16,10 @@ function lastLine(robot: Robot, file: number): number {
   return last;
 }
 
-/** One pass over all segments, which are here: to be kept for as long as the run is shown. */
+/**
+ * Computes the times in one pass over all loaded segments; the caller keeps the result as long as the run is
+ * shown.
+ */
 export function lineTimes(robot: Robot, file: number): LineTimes {
   const times_s = new Float64Array(lastLine(robot, file) + 1);
   for (const { count, file: files, line, duration_s } of robot.segments.chunks) {

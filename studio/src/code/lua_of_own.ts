@@ -1,19 +1,22 @@
-// A translation that a person wants to edit becomes a program of its own, which runs in place of the G-code.
+// Translation that the user wants to edit: it becomes a separate program, which runs instead of the G-code.
 
 import type { Documents } from "../core/documents";
 
 const ending = /\.[^./]*$/;
 
-/** By this the engine counts lines of an unchanged translation as those of the G-code; here lines are the script's own. */
+/**
+ * The engine uses this mark to count lines of an unchanged translation as those of the G-code. Here lines are
+ * those of the script.
+ */
 const lineMark = /; line n there is line n\+1 here; hash [0-9a-f]+/;
 
 export class LuaOfOwn {
-  /** The G-code that a script was made of. */
+  /** G-code from which a script was made. */
   private readonly origins = new Map<string, string>();
 
   constructor(private readonly documents: Documents) {}
 
-  /** A script of one's own, with a name that is free, or has this very text. */
+  /** Creates a user's script with a name that is free, or has this very text. */
   make(program: string, translation: string): { name: string; script: string } {
     const script = translation.replace(lineMark, "");
     const stem = program.replace(ending, "");
@@ -23,7 +26,7 @@ export class LuaOfOwn {
     return { name, script };
   }
 
-  /** Undefined: it was opened as it is. */
+  /** Returns undefined if it was opened as it is. */
   originOf(name: string): string | undefined {
     return this.origins.get(name);
   }

@@ -1,23 +1,23 @@
-// What is in force at a line, by the text above it: the last code of each modal group, F, S and T. Kept at every
-// thousandth line, so that a question far down a long program does not read all of it again.
+// Modal state at a line, from the text above it: the last code of each modal group, F, S and T. It is stored
+// at every thousandth line, so that a query far down a long program does not read all of it again.
 
 import type { Text } from "@codemirror/state";
 import { codeName, isModal, type Dialect } from "./dialect";
 import { isCode, withoutComments, wordsOf } from "./words";
 
 export interface ModalState {
-  /** By group, the name of its code. */
+  /** Name of the code by group. */
   codes: Map<string, string>;
   /** "F", "S" and "T" as written. */
   words: Map<string, string>;
-  /** Whether there are subprograms, jumps or loops, so that the text says less than a run. */
+  /** True if the text has subprograms, jumps or loops, so that it is less informative than a run. */
   jumps: boolean;
 }
 
 const STEP = 1000;
-/** Lines between two pauses, in which the page goes on. */
+/** Lines between two pauses that keep the page responsive. */
 const SLICE = 20_000;
-/** Programs up to so many lines are looked through to their end for jumps. */
+/** Programs up to so many lines are searched to their end for jumps. */
 const SHORT = 20_000;
 
 const jump = /\bM\s*9[89]\b|\bG\s*6[56]\b|\bGOTO\b|\bWHILE\b|^\s*(?:N\d+\s*)?O\s*[<\d#]/i;
@@ -25,7 +25,7 @@ const jump = /\bM\s*9[89]\b|\bG\s*6[56]\b|\bGOTO\b|\bWHILE\b|^\s*(?:N\d+\s*)?O\s
 const pause = () => new Promise((go) => setTimeout(go));
 
 export class ModalIndex {
-  /** The state before line 1 + STEP * i. */
+  /** State before line 1 + STEP * i. */
   private states: ModalState[];
   private jumpsInAll: boolean | null = null;
 
@@ -33,13 +33,13 @@ export class ModalIndex {
     this.states = [this.atStart()];
   }
 
-  /** Forgets what a change from this line on may have made wrong. */
+  /** Discards states that a change from this line on may have invalidated. */
   changed(line: number): void {
     this.states.length = Math.min(this.states.length, Math.floor((line - 1) / STEP) + 1);
     this.jumpsInAll = null;
   }
 
-  /** In force when `line` begins, or behind it. Null: the text has changed meanwhile. */
+  /** Returns the state when `line` begins, or after it. Null: the text has changed meanwhile. */
   async at(doc: Text, line: number, isStale: () => boolean): Promise<ModalState | null> {
     const wanted = Math.floor(line / STEP);
     while (this.states.length <= wanted) {
@@ -63,7 +63,7 @@ export class ModalIndex {
     return this.jumpsInAll;
   }
 
-  // The number of the program itself is no jump.
+  // The number of the program itself is not a jump.
   private isJump(text: string): boolean {
     const bare = withoutComments(text, this.dialect.isNgc);
     return jump.test(bare) && !/^\s*O\s*\d+\s*$/i.test(bare);

@@ -1,11 +1,12 @@
-// Two editors whose lines stand beside each other scroll as one. All lines are of one height, and the Lua has one more.
+// Two editors with adjacent lines that scroll together. All lines have the same height, and the Lua has one
+// more.
 
 import type { Editor } from "./editor";
 import { OFFSET_LINES } from "./translation_pane";
 
 /**
- * The editor that a person has touched last leads, so that neither answers the other's scrolling. Returned is what
- * brings the translation to where the source is.
+ * Synchronises the scrolling. The editor that the user touched last is the master, so that neither reacts to
+ * the other's scrolling. Returns a function that scrolls the translation to the source's position.
  */
 export function scrollTogether(source: Editor, translation: Editor, isSplit: () => boolean): () => void {
   let leader = source;

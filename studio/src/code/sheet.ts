@@ -1,8 +1,8 @@
-// A file in the editor: its text, its history, and how its lines now relate to those of the run.
+// File in the editor: its text, its history, and the relation of its lines to those of the run.
 
 import { ChangeSet, type ChangeDesc, type EditorState, type Text } from "@codemirror/state";
 
-/** The text at an instant, and what has changed since. */
+/** Text at an instant, with the changes since then. */
 interface Mark {
   text: Text;
   changes: ChangeDesc;
@@ -10,7 +10,7 @@ interface Mark {
 
 const markOf = (text: Text): Mark => ({ text, changes: ChangeSet.empty(text.length).desc });
 
-/** A line's start carried along a change of the text; 0: the line is not there. */
+/** Maps a line's start through a change of the text; 0: the line no longer exists. */
 function carry(line: number, from: Text, changes: ChangeDesc, to: Text): number {
   if (line < 1 || line > from.lines) return 0;
   if (changes.empty) return line;
@@ -18,7 +18,7 @@ function carry(line: number, from: Text, changes: ChangeDesc, to: Text): number 
 }
 
 export class Sheet {
-  /** As it was opened, or saved last. */
+  /** Text as it was opened, or saved last. */
   private kept: Text;
   private ran: Mark;
   private running: Mark | null = null;
@@ -43,7 +43,7 @@ export class Sheet {
     return !this.ran.changes.empty && !this.doc.eq(this.ran.text);
   }
 
-  /** It is on a disk as it is, or a sample. */
+  /** Marks the text as saved on a disk, or as a sample. */
   saved(): void {
     this.kept = this.doc;
   }
@@ -52,23 +52,25 @@ export class Sheet {
     for (const mark of [this.ran, this.running]) if (mark) mark.changes = mark.changes.composeDesc(changes);
   }
 
-  /** A run of the text as it is has begun. */
+  /** Records that a run of the present text has begun. */
   runBegins(): void {
     this.running = markOf(this.doc);
   }
 
-  /** The run that began last is the one that is shown; of one that had been made before, the text is as it is now. */
+  /**
+   * Records that the run begun last is now shown; for a run that existed before, the present text is used.
+   */
   runEnds(wasBegun: boolean): void {
     this.ran = wasBegun && this.running ? this.running : markOf(this.doc);
     this.running = null;
   }
 
-  /** A line of the run as the text has it now; 0: none. */
+  /** Returns a line of the run in the present text; 0: none. */
   lineOfRun(line: number): number {
     return carry(line, this.ran.text, this.ran.changes, this.doc);
   }
 
-  /** A line of the text as the run had it; 0: it is new. */
+  /** Returns a line of the text as in the run; 0: it is new. */
   runLineOf(line: number): number {
     if (this.ran.changes.empty) return line <= this.doc.lines ? line : 0;
     const back = this.ran.changes.invertedDesc;
@@ -76,7 +78,7 @@ export class Sheet {
     return this.lineOfRun(old) === line ? old : 0;
   }
 
-  /** Whether a line of the run has been edited since. */
+  /** Returns true if a line of the run has been edited since. */
   touched(runLine: number): boolean {
     if (this.ran.changes.empty || runLine < 1 || runLine > this.ran.text.lines) return false;
     const { from, to } = this.ran.text.line(runLine);

@@ -1,4 +1,4 @@
-// The program that is shown and edited: G-code, or a script in Lua.
+// Pane that shows and edits the program: G-code, or a script in Lua.
 
 import { isolateHistory, toggleComment } from "@codemirror/commands";
 import { Transaction, type ChangeDesc, type Extension, type Text } from "@codemirror/state";
@@ -24,11 +24,11 @@ import { Sheet } from "./sheet";
 import { textChange } from "./text_change";
 import { tomlLanguage } from "./toml_language";
 
-/** Longer texts are handed on when a person pauses. */
+/** Longer texts are passed on after the user pauses. */
 const AT_ONCE_UP_TO = 200_000;
 const PAUSE_MS = 600;
 
-/** What kind of edit it was, where such edits one behind the other are one step for undo; empty: each is one. */
+/** Returns the kind of edit, if consecutive edits of this kind are one undo step; empty: each is one. */
 function kindOf(update: ViewUpdate): string {
   const events = update.transactions.map((transaction) => transaction.annotation(Transaction.userEvent) ?? "");
   return /^(?:input\.type|delete\.(?:back|for)ward|undo|redo)/.exec(events.find((event) => event !== "") ?? "")?.[0] ?? "";
@@ -37,16 +37,16 @@ function kindOf(update: ViewUpdate): string {
 export interface SourceEvents {
   /** Another file is shown. */
   shown(): void;
-  /** Its text is another one, by a person or by another part of the page. */
+  /** Handles another text, by the user or by another part of the page. */
   edited(): void;
-  /** A person has put the cursor on a line. */
+  /** Handles the user's cursor on a line. */
   chosen(line: number): void;
-  /** The dialect is another one, or its tables have come. */
+  /** Handles another dialect, or its loaded tables. */
   renewed(): void;
   /** The cursor is elsewhere. */
   moved(): void;
   run(): void;
-  /** Asks for a run that goes on from a line. */
+  /** Requests a run that continues from a line. */
   fromHere(line: number): void;
   leave(): void;
 }
@@ -90,7 +90,7 @@ export class SourcePane {
     return isScript(this.name);
   }
 
-  /** Machines, cells and data are shown as text alone. */
+  /** Returns false for machines, cells and data, which are shown as text alone. */
   get isProgram(): boolean {
     return this.isProgramNamed(this.name);
   }
@@ -100,12 +100,12 @@ export class SourcePane {
     return !this.session.canRun || !isKnown;
   }
 
-  /** It runs, but its text is not in the page. */
+  /** Returns true if it runs, but its text is not in the page. */
   get isElsewhere(): boolean {
     return this.session.documents.sizeElsewhere(this.name) !== undefined;
   }
 
-  /** Whether there is a text of that name. */
+  /** Returns true if a text of that name exists. */
   has(name: string): boolean {
     return this.session.documents.get(name) !== undefined || (this.store.get("run")?.sources.has(name) ?? false);
   }
@@ -120,7 +120,7 @@ export class SourcePane {
     this.events.shown();
   }
 
-  /** After a change of the dialect, or of what is known of it. */
+  /** Updates the pane after a change of the dialect, or of its tables. */
   renew(): void {
     const name = dialectName(this.session, this.name);
     this.dialect = new Dialect(name, this.languages.find((language) => language.name === name) ?? null);
@@ -129,12 +129,12 @@ export class SourcePane {
     this.events.renewed();
   }
 
-  /** Hands on what has been typed. */
+  /** Passes on the typed text. */
   flush(): void {
     this.putting.flush();
   }
 
-  /** All files' texts are those of a run that begins, or of the one that has ended. */
+  /** Marks the present texts of all files as those of the run that begins, or of the one that has ended. */
   runBegins(): void {
     for (const sheet of this.sheets.values()) sheet.runBegins();
   }
@@ -143,21 +143,24 @@ export class SourcePane {
     for (const sheet of this.sheets.values()) sheet.runEnds(wasBegun);
   }
 
-  /** File and line of the shown run for a line of the text; null: it has not run. */
+  /** Returns file and line of the shown run for a line of the text; null: it has not run. */
   runPlace(line: number): { file: number; line: number } | null {
     const file = this.store.get("run")?.fileOf(this.store.get("robot"), this.name) ?? -1;
     const ran = this.sheet.runLineOf(line);
     return file >= 0 && ran > 0 ? { file, line: ran } : null;
   }
 
-  /** In force behind a line of the G-code; line 0: at the start. */
+  /** Returns the active codes after a line of the G-code; line 0: at the start. */
   modalAt(line: number): Promise<ModalState | null> {
     if (this.isScript || !this.isProgram) return Promise.resolve(null);
     const { doc } = this.editor.view.state;
     return this.modal.at(doc, line, () => this.editor.view.state.doc !== doc);
   }
 
-  /** In force where a line of the shown run begins; null: its text is not the one that is shown, or no G-code. */
+  /**
+   * Returns the active codes at the start of a line of the shown run; null: its text is not the one shown, or
+   * no G-code.
+   */
   async inForce(file: string, runLine: number): Promise<InForce | null> {
     const line = file === this.name ? this.sheet.lineOfRun(runLine) : 0;
     const state = line > 0 ? await this.modalAt(line - 1) : null;
@@ -281,15 +284,15 @@ export class SourcePane {
     session.history.made(texts.code.typed(baseName(name)), before, kind && `${kind} ${name}`);
   }
 
-  // By another part of the page, as when a file is dropped on it or a step is taken back: what is the same stays, and the
-  // editor's own undo goes on.
+  // Another part of the page replaced the text, for example by a dropped file or an undo. Unchanged parts
+  // stay, and the editor's own undo continues.
   private replaced(name: string): void {
     if (this.isPutting) return;
     if (name === this.session.setup.machine) this.renew();
     const sheet = this.sheets.get(name);
     if (!sheet) return;
     const { documents } = this.session;
-    // It may have been saved, or taken away, while a person typed.
+    // It may have been saved, or removed, during typing.
     if (name === this.name) this.flush();
     if (documents.get(name) === undefined && name !== UNTITLED) {
       this.sheets.delete(name);
@@ -297,7 +300,7 @@ export class SourcePane {
       return;
     }
     this.rewrite(sheet, documents.text(name));
-    // It was not in the page before.
+    // The text was not in the page before.
     if (name === this.name && sheet.state.readOnly && !this.readOnly) this.renew();
     if (!documents.isUnsaved(name)) sheet.saved();
     if (name === this.name) this.events.edited();

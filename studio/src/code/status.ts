@@ -1,4 +1,4 @@
-// Below the editor: what is wrong with the text, where the cursor is, and the dialect.
+// Status below the editor: findings, cursor position, and dialect.
 
 import { nextDiagnostic } from "@codemirror/lint";
 import type { EditorView } from "@codemirror/view";
@@ -16,7 +16,7 @@ export class Status {
   private readonly dialect = element("span", { class: "code-dim" });
   private readonly readAs = element("button", { type: "button", title: words.readAsTitle });
 
-  /** `readAs`: the person wants the program read in the dialect that is offered. */
+  /** `readAs`: called if the user wants the program read in the offered dialect. */
   constructor(view: () => EditorView, readAs: () => void) {
     this.readAs.addEventListener("click", readAs);
     this.problems.addEventListener("click", () => {
@@ -36,17 +36,17 @@ export class Status {
     this.problems.hidden = false;
   }
 
-  /** Whether times of lines are lacking. */
+  /** Shows whether times of lines are missing. */
   showTimes(areLacking: boolean): void {
     this.times.hidden = !areLacking;
   }
 
-  /** Line and column of the cursor, from 1 on. */
+  /** Shows line and column of the cursor, from 1 on. */
   showPlace(line: number, column: number): void {
     this.place.textContent = words.place(line, column);
   }
 
-  /** `isOffered`: the program looks like one of that dialect and is read in the other one. */
+  /** Shows the dialect. `isOffered`: the program looks like that dialect but is read in the other one. */
   showDialect(title: string, isOffered: boolean): void {
     this.dialect.hidden = isOffered;
     this.readAs.hidden = !isOffered;

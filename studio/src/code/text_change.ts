@@ -1,4 +1,5 @@
-// The least change that makes one text of another, so that cursor, marks and the editor's own undo stay with what is the same.
+// Smallest change from one text to another, so that cursor, marks and the editor's own undo stay with the
+// unchanged parts.
 
 import type { Text } from "@codemirror/state";
 
@@ -8,7 +9,7 @@ export interface TextChange {
   insert: string;
 }
 
-/** Null: they are the same. Lines of `wanted` may end as they like. */
+/** Returns null if they are the same. Lines of `wanted` may have any line ends. */
 export function textChange(present: Text, wanted: string): TextChange | null {
   const [before, after] = [present.toString(), wanted.replace(/\r\n?/g, "\n")];
   if (before === after) return null;

@@ -1,4 +1,4 @@
-// Kinds of words, as they are coloured. Names that CodeMirror gives a meaning of its own, as "variable", will not do.
+// Kinds of words for colouring. Names that have a meaning in CodeMirror, such as "variable", are not usable.
 
 import { HighlightStyle } from "@codemirror/language";
 import { Tag, tags } from "@lezer/highlight";
@@ -17,7 +17,7 @@ export const tokenTable = {
   name: Tag.define(),
 };
 
-/** Classes, so that the colours follow the theme (code.css). */
+/** Classes are used so that the colours follow the theme (code.css). */
 export const highlightStyle = HighlightStyle.define([
   ...Object.entries(tokenTable).map(([name, tag]) => ({ tag, class: `word-${name}` })),
   { tag: tags.comment, class: "word-comment" },

@@ -1,4 +1,4 @@
-// Files of machines and cells in the colours of code.
+// Colours of files of machines and cells.
 
 import { StreamLanguage } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
@@ -11,7 +11,7 @@ export const tomlLanguage = StreamLanguage.define<unknown>({
   tokenTable,
   token(stream, state) {
     const kind = toml.token(stream, state as never);
-    // Values that are true or false are atoms, too; tables stand in brackets.
+    // True and false are atoms, too; tables are in brackets.
     return kind === "atom" && !stream.current().startsWith("[") ? kind : ((kind && kinds[kind]) ?? kind);
   },
 });

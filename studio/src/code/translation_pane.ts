@@ -1,4 +1,4 @@
-// The program as Lua, beside it or in its place; to be read. Line n of the G-code is line n + 1 here.
+// Read-only view of the program as Lua, next to it or instead of it. Line n of the G-code is line n + 1 here.
 
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
@@ -10,7 +10,7 @@ import { luaLanguage } from "./lua_language";
 import type { SourcePane } from "./source_pane";
 
 export interface TranslationEvents {
-  /** A line of the G-code. */
+  /** Handles a chosen line of the G-code. */
   chosen(line: number): void;
   run(): void;
   leave(): void;
@@ -19,15 +19,15 @@ export interface TranslationEvents {
   shown(): void;
 }
 
-/** Lines of the G-code are so many further down in the Lua. */
+/** Offset of the lines of the G-code in the Lua. */
 export const OFFSET_LINES = 1;
 
-/** The first line of a translation is of no block. */
+/** First line of a translation, which belongs to no block. */
 const HEAD_LINE = 1;
 
 export class TranslationPane {
   readonly editor: Editor;
-  /** The translation; "": there is none. */
+  /** Translation; "": none. */
   script = "";
   private readonly note = element("span", { class: "code-grow" });
   private readonly edit: HTMLButtonElement;
@@ -44,7 +44,7 @@ export class TranslationPane {
     const attributes = { type: "button", title: texts.code.editLuaTitle, onclick: () => events.edit() };
     this.edit = element("button", attributes, texts.code.editLua);
     const body = element("div", { class: "code-body" });
-    // Below the editor, so that lines of both stand at one height.
+    // The strip is below the editor, so that lines of both are at the same height.
     host.append(body, element("div", { class: "code-strip", role: "status" }, this.note, this.edit));
     this.editor = new Editor(
       body,
@@ -64,7 +64,7 @@ export class TranslationPane {
     this.show("");
   }
 
-  /** The text has changed: what is shown is of an earlier one. */
+  /** Marks the shown translation as one of an earlier text. */
   outdate(): void {
     this.isStale = true;
     ++this.asked;
@@ -76,7 +76,7 @@ export class TranslationPane {
     this.show("");
   }
 
-  /** Asks for the translation where the one that is shown is not of the present text. */
+  /** Requests the translation if the shown one is not of the present text. */
   async renew(): Promise<void> {
     if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isElsewhere) return this.say();
     this.isStale = false;

@@ -1,22 +1,25 @@
-// The words of a line of G-code: a letter and what stands behind it. What matters to the editor alone; whether a line
-// is right is for the engine to say.
+// Words of a line of G-code: a letter and its value. They are only for the editor; the engine decides if a
+// line is correct.
 
-/** Columns count from 0, `to` is behind the last character. */
+/** Word with columns that count from 0; `to` is after the last character. */
 export interface Word {
   from: number;
   to: number;
   /** In capitals: "G", "X"; "#" of a setting, "O" of an O-word, "AR=", ",C". */
   letter: string;
-  /** The number as it is written; "" of an expression or a variable. */
+  /** Number as it is written; "" for an expression or a variable. */
   number: string;
 }
 
-/** In the 9/Series a ';' may also end a block: what begins so behind it is another one, and no comment. */
+/**
+ * In the 9/Series a ';' may also end a block: text after it that begins like this is another block, not a
+ * comment.
+ */
 export const blockBehind = /^;\s*[a-z/#]\s*[\d#[]/i;
 
 const commentOrRest = /\([^)]*\)?|;.*/g;
 
-/** The line with its comments blanked, so that columns stay. */
+/** Returns the line with blanked comments, so that columns stay. */
 export function withoutComments(line: string, isNgc: boolean): string {
   if (!/[(;]/.test(line)) return line;
   return line.replace(commentOrRest, (found) =>
@@ -26,7 +29,7 @@ export function withoutComments(line: string, isNgc: boolean): string {
 
 const wordPattern = /(AR=|,\s*[CRA]|[A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))?/gi;
 
-/** Names (#<depth>), keywords and functions are no words. */
+/** Names (#<depth>), keywords and functions are not words. */
 const noWords = /#?<[^>]*>|\[[^\]]*\]|[A-Z_]{2,}(?!=)/gi;
 
 export function wordsOf(line: string, isNgc: boolean): Word[] {

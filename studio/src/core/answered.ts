@@ -1,4 +1,4 @@
-// An answer of the engine with its messages.
+// Response of the engine with its messages.
 
 import type { Answer } from "./engine";
 import type { Message } from "./message";

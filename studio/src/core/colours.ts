@@ -1,4 +1,4 @@
-// Colours that people who see no red or green tell apart (Okabe and Ito, 2008; viridis for scales).
+// Colours that people with red-green blindness can distinguish (Okabe and Ito, 2008; viridis for scales).
 
 import type { Held } from "../run/limits";
 import type { MoveKind } from "../run/kinds";
@@ -44,7 +44,7 @@ export const limitColours: Record<Held, string> = {
 
 const axisColours = [vermilion, green, blue, purple, orange, sky, yellow, grey];
 
-/** Of an axis by its number. */
+/** Returns the colour of an axis by its number. */
 export const axisColour = (axis: number): string => axisColours[axis % axisColours.length];
 
 const viridis = [
@@ -59,7 +59,7 @@ const viridis = [
   [253, 231, 37],
 ];
 
-/** Red, green, blue (0 to 1) at a share of the scale from 0 to 1. */
+/** Returns red, green, blue (0 to 1) at a share of the scale from 0 to 1. */
 export function scaleColour(share: number): [number, number, number] {
   const at = Math.min(Math.max(share, 0), 1) * (viridis.length - 1);
   const low = Math.min(Math.floor(at), viridis.length - 2);

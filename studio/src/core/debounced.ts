@@ -1,16 +1,16 @@
-// An action that waits until it has not been asked for again for a while.
+// Action that waits until it has not been requested again for a while.
 
 export class Debounced {
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   constructor(private readonly action: () => void) {}
 
-  /** Whether it waits to be done. */
+  /** Returns true if the action is pending. */
   get isDue(): boolean {
     return this.timer !== null;
   }
 
-  /** Does it after a time; of several calls the last one counts. */
+  /** Runs it after a delay; of several calls the last one counts. */
   after(delay_ms: number): void {
     this.cancel();
     this.timer = setTimeout(() => {
@@ -19,7 +19,7 @@ export class Debounced {
     }, delay_ms);
   }
 
-  /** Does at once what is due. */
+  /** Runs a pending action at once. */
   flush(): void {
     if (this.timer === null) return;
     this.cancel();

@@ -1,8 +1,11 @@
-// Elements, made in one call.
+// Elements, created in one call.
 
 type Attributes = Record<string, string | number | boolean | ((event: Event) => void) | undefined>;
 
-/** `on...` attributes are listeners, true means an attribute without a value, false and undefined none. */
+/**
+ * Creates an element. `on...` attributes are listeners, true means an attribute without a value, false and
+ * undefined none.
+ */
 export function element<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -26,7 +29,7 @@ export function svgElement(tag: string, attributes: Record<string, string> = {},
   return made;
 }
 
-/** A box to tick and what it is for. */
+/** Creates a checkbox with its label. */
 export function check(
   label: Node | string,
   change: (on: boolean) => void,
@@ -36,7 +39,7 @@ export function check(
   return { row: element("label", { class: "check", ...attributes }, box, label), box };
 }
 
-/** A choice among values, each with what a person reads. */
+/** Creates a choice among values, each with a label. */
 export function choice(
   label: string,
   options: readonly (readonly [value: string, text: string])[],
@@ -51,7 +54,7 @@ export function choice(
   return select;
 }
 
-/** Gives a choice other values, where they are others, and chooses one; the focus stays. */
+/** Replaces the values of a choice, if they differ, and chooses one; the focus stays. */
 export function offer(
   select: HTMLSelectElement,
   options: readonly (readonly [value: string, text: string])[],
@@ -64,7 +67,7 @@ export function offer(
   select.value = value;
 }
 
-/** Makes these the children; those that stand where they should are not touched, so that the focus in them stays. */
+/** Sets the children; those already in position are not touched, so that the focus in them stays. */
 export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
   const wanted = new Set<Node>(children);
   for (const child of [...parent.childNodes]) if (!wanted.has(child)) child.remove();

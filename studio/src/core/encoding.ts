@@ -1,9 +1,9 @@
-// Texts of files: how their bytes are read, and written back as they were.
+// Texts of files: their bytes are decoded, and written back unchanged.
 
-/** How a file's text is written: what reads it has to write it so. */
+/** Encoding of a file's text, needed to write it back. */
 export interface Writing {
   encoding: "utf-8" | "windows-1252" | "utf-16le";
-  /** A mark of the encoding in front. */
+  /** True if a byte order mark is in front. */
   marked: boolean;
   /** Lines end in CR LF. */
   crlf: boolean;
@@ -11,7 +11,10 @@ export interface Writing {
 
 const MARK = "\ufeff";
 
-/** Programs of older controls are in the letters of their country: what is no UTF-8 is taken as windows-1252. */
+/**
+ * Reads a text. Programs of older controllers use national letters: text that is not UTF-8 is read as
+ * windows-1252.
+ */
 export function readText(bytes: Uint8Array): { text: string; writing: Writing } {
   const [first, second] = bytes;
   const encoding = first === 0xff && second === 0xfe ? "utf-16le" : isUtf8(bytes) ? "utf-8" : "windows-1252";
@@ -30,7 +33,9 @@ function isUtf8(bytes: Uint8Array): boolean {
   }
 }
 
-/** Bytes of a text as the file had them; a letter that its encoding lacks makes the file UTF-8. */
+/**
+ * Returns the bytes of a text in the file's encoding; a letter that the encoding lacks makes the file UTF-8.
+ */
 export function writeText(text: string, writing: Writing): Uint8Array<ArrayBuffer> {
   const lines = writing.crlf ? text.replace(/\r?\n/g, "\r\n") : text;
   const whole = writing.marked ? MARK + lines : lines;

@@ -1,4 +1,4 @@
-// The engine as the rest of the page sees it: a question, what it tells meanwhile, and how it ended.
+// Engine as seen by the page: a request, messages during its processing, and its result.
 
 import type { Message } from "./message";
 
@@ -7,28 +7,34 @@ export type Files = Map<string, string | Uint8Array>;
 /** How a question ended. */
 export interface Answer {
   ok: boolean;
-  /** Of a failure; "cancelled" where cancel() ended it. */
+  /** Code of an error; "cancelled" if cancel() ended it. */
   code: string;
   message: string;
 }
 
 export const cancelled: Answer = { ok: false, code: "cancelled", message: "cancelled" };
 
-/** Keeps runs that are too long for a page. */
+/** Storage of runs that are too long for a page. */
 export interface Keeper {
-  /** Most blocks of a run that it keeps. */
+  /** Max number of blocks of a run that it keeps. */
   readonly blocks: number;
-  /** The whole message of segments of this number, of a run that is kept under this name. Throws with a sentence. */
+  /**
+   * Returns the complete segment message of this number, for a run kept under this name. Throws with a
+   * message.
+   */
   laws(run: string, number: number): Promise<Message>;
 }
 
-/** Answers one question at a time, the others wait. */
+/** Engine that processes one request at a time; the others wait. */
 export interface Engine {
-  /** Where a page has no engine (a run to look at) every question fails. */
+  /** False if a page has no engine (a run to view): every request fails. */
   readonly available: boolean;
-  /** null: what a run tells it tells once, and whole. */
+  /** null: a run sends its messages once, and complete. */
   readonly keeper: Keeper | null;
-  /** Asks; `take` gets what the engine tells as it is told. `keptAs`: the name that a keeper keeps the run under; empty: not. */
+  /**
+   * Sends a request; `take` receives the engine's messages as they come. `keptAs`: the name under which a
+   * keeper keeps the run; empty: not kept.
+   */
   ask(request: Record<string, unknown>, files: Files, take: (message: Message) => void, keptAs?: string): Promise<Answer>;
   /** Ends all questions at once. */
   cancel(): void;
@@ -41,7 +47,7 @@ export const noEngine: Engine = {
   cancel() {},
 };
 
-/** How a question ended by its last message; null: it is not the last. */
+/** Returns the result of a request from its last message; null: it is not the last. */
 export function answerOf({ is, header }: Message): Answer | null {
   if (is !== "done" && is !== "failed") return null;
   const { code = "", message = "" } = header as { code?: string; message?: string };

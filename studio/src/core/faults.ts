@@ -1,4 +1,4 @@
-// What is wrong with files that are no programs, by what the engine answers.
+// Errors of files that are no programs, from the engine's response.
 
 import type { Told } from "../run/run";
 import type { Answered } from "./answered";
@@ -12,7 +12,7 @@ function toldOfFailure(code: string, message: string): Told {
   return { severity: "error", code, ...place, text: text ?? message, hint: "" };
 }
 
-/** All that was told, and why it failed, where that has not been told already. */
+/** Returns all diagnostics, and the reason of the failure, if that has not been reported already. */
 export function faultsOf({ ok, code, message, messages }: Answered): Told[] {
   const told = messages.filter(({ is }) => is === "told").map(({ header }) => header as unknown as Told);
   if (ok || code === "cancelled") return told;

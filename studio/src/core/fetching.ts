@@ -1,4 +1,4 @@
-// What is shown of a long run is fetched when it is not here.
+// Loads the shown part of a long run if it is missing.
 
 import type { Store } from "./store";
 

@@ -1,3 +1,3 @@
-// What a file holds: a text, or bytes that are none.
+// Content of a file: a text, or bytes that are not text.
 
 export type FileContent = string | Uint8Array;

@@ -1,21 +1,21 @@
-// Files of a person's disk: chosen by the system's dialog, and given back.
+// Files of the user's disk: chosen by the system's dialog, and saved.
 
 import type { Documents } from "./documents";
 import { element } from "./dom";
 import { baseName } from "./kinds";
 
-/** Asks for one file, or for several. */
+/** Opens the dialog for one file, or for several. */
 export function askForFiles(several: boolean, take: (files: File[]) => void): void {
   const input = element("input", { type: "file", multiple: several, onchange: () => take([...(input.files ?? [])]) });
   input.click();
 }
 
-/** Gives a document to the person as a file, and takes it as saved. */
+/** Gives a document to the user as a file, and marks it as saved. */
 export function saveFile(name: string, documents: Documents): void {
   give(name, documents.save(name));
 }
 
-/** The same, of a document whose place is elsewhere. */
+/** Does the same for a document that is stored elsewhere. */
 export function download(name: string, documents: Documents): void {
   give(name, documents.toSave(name));
 }

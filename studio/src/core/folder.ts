@@ -1,4 +1,4 @@
-// The folder that gsim-studio serves: its files as documents, how they are saved, and what other programs do to them meanwhile.
+// Folder that gsim-studio serves: its files as documents, saving them, and changes by other programs.
 
 import { SHOWN_BYTES } from "./documents";
 import type { FileContent } from "./file_content";
@@ -8,20 +8,23 @@ import { Refused, type FolderChange, type Listed, type Server } from "./server";
 import type { Session } from "./session";
 import { Turns } from "./turns";
 
-/** Unsaved: typed here and not written; conflict: another program has written it meanwhile; gone: taken from the folder. */
+/**
+ * Unsaved: typed here and not written; conflict: another program has written it meanwhile; gone: removed from
+ * the folder.
+ */
 export type FileMark = "" | "unsaved" | "conflict" | "gone";
 
 export type Saved = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; why: string };
 
 interface Entry {
   bytes: number;
-  /** Of the version on the disk; null: it is gone. */
+  /** Tag of the version on the disk; null: it is gone. */
   tag: string | null;
-  /** Of the version that the document comes from; null: of none. */
+  /** Tag of the version from which the document comes; null: none. */
   base: string | null;
 }
 
-/** Files up to so many bytes all together are read when the page begins, the small ones first. */
+/** Files up to so many bytes in total are read at the start of the page, the small ones first. */
 const BEGIN_BYTES = 32_000_000;
 const BEGIN_FILES = 2000;
 const AT_ONCE = 3;
@@ -33,7 +36,7 @@ export class Folder {
   /** Whether the server has ended. */
   isLost = false;
   private readonly files = new Map<string, Entry>();
-  /** Writing a file, reading it and what other programs do to it never come between each other. */
+  /** Serialises writing a file, reading it and handling changes by other programs. */
   private readonly turns = new Turns();
   private readonly reading = new Set<string>();
   private readonly listeners = new Set<() => void>();
@@ -50,12 +53,12 @@ export class Folder {
     });
   }
 
-  /** Reads the names of what is in the folder. */
+  /** Reads the names of the files in the folder. */
   async open(): Promise<void> {
     await this.relist();
   }
 
-  /** Reads all that is of a size to be read, and follows what other programs do. */
+  /** Reads all files that are not too large, and follows changes by other programs. */
   async follow(): Promise<void> {
     void this.readAll(this.namesToBegin());
     for (;;) {
@@ -66,7 +69,7 @@ export class Folder {
     }
   }
 
-  /** Told of each change of what is said here. */
+  /** Registers a listener for each change of this state. */
   on(listener: () => void): void {
     this.listeners.add(listener);
   }
@@ -75,7 +78,7 @@ export class Folder {
     return this.files.get(name)?.tag != null;
   }
 
-  /** Of each file the version on the disk, by name. */
+  /** Returns the version of each file on the disk, by name. */
   versions(): Map<string, string> {
     return new Map([...this.files].flatMap(([name, { tag }]) => (tag === null ? [] : [[name, tag] as const])));
   }
@@ -93,17 +96,17 @@ export class Folder {
     return new Map(names.map((name) => [name, this.markOf(name)] as const).filter(([, mark]) => mark !== ""));
   }
 
-  /** Writes a document into the folder, in place of the version that it comes from. */
+  /** Writes a document into the folder, replacing the version from which it comes. */
   save(name: string): Promise<Saved> {
     return this.turns.take(name, async () => {
       const entry = this.files.get(name);
-      // Another version is on the disk than the one that is here: also where that could not be read.
+      // The disk has another version than the page, even if that version could not be read.
       if (entry && entry.tag !== null && entry.base !== entry.tag) return { kind: "conflict" };
       return this.saveOver(name, entry?.tag ?? null);
     });
   }
 
-  /** Writes a document under another name, where there is no file yet, and takes that in its place from now on. */
+  /** Writes a document under a name that is not used yet, and uses that instead from now on. */
   async saveAs(name: string, to: string): Promise<Saved> {
     const { documents, history } = this.session;
     history.keepTyped();
@@ -119,14 +122,14 @@ export class Folder {
     const chosen = Object.entries(this.session.setup).filter(([, value]) => value === name);
     const setup = Object.fromEntries(chosen.map(([key]) => [key, to]));
     const left: Record<string, null> = this.has(name) ? {} : { [name]: null };
-    // Typed while it was written.
+    // The user typed while it was written.
     const now = documents.get(name);
     const typed = now === undefined || now === content ? {} : { [to]: now };
     history.edit(texts.folder.savedAs(name, to), { setup, documents: { ...left, ...typed } });
     return saved;
   }
 
-  /** The version on the disk, of which there are two; null: it is gone meanwhile. */
+  /** Returns the conflicting version on the disk; null: it is gone meanwhile. */
   async theirs(name: string): Promise<{ content: FileContent; bytes: Uint8Array; tag: string } | null> {
     const read = await this.server.read(name);
     if (!read) return null;
@@ -134,7 +137,7 @@ export class Folder {
     return { ...read, content: isText ? readText(read.bytes).text : read.bytes };
   }
 
-  /** This page's version goes over the one on the disk, which can be had back by undo. */
+  /** Overwrites the version on the disk by this page's; undo restores it. */
   keepMine(name: string): Promise<Saved> {
     return this.turns.take(name, async () => {
       try {
@@ -148,7 +151,7 @@ export class Folder {
     });
   }
 
-  /** The version on the disk is shown in place of this page's, which can be had back by undo. */
+  /** Shows the version on the disk instead of this page's, which undo restores. */
   takeTheirs(name: string): Promise<void> {
     return this.turns.take(name, async () => {
       try {
@@ -172,7 +175,7 @@ export class Folder {
     this.tell();
   }
 
-  /** The version of the folder is the one that the document comes from. */
+  /** Records that the document comes from the folder's version. */
   private isHere(name: string, { bytes, tag }: { bytes: Uint8Array; tag: string }): void {
     this.files.set(name, { bytes: bytes.length, tag, base: tag });
   }
@@ -198,7 +201,7 @@ export class Folder {
   private async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Saved> {
     try {
       let written = await this.server.write(name, bytes, tag);
-      // What has been taken away meanwhile is written anew.
+      // A file that was removed meanwhile is written as a new one.
       if (!written.ok && written.tag === null && tag !== null) written = await this.server.write(name, bytes, null);
       const base = written.ok ? written.tag : (this.files.get(name)?.base ?? null);
       this.files.set(name, { bytes: bytes.length, tag: written.tag, base });
@@ -220,7 +223,7 @@ export class Folder {
       if (this.files.has(file.name)) await this.changed(file);
       else this.add(file);
     }
-    // What a list that was cut leaves out may be there all the same.
+    // Files missing in a cut list may still exist.
     if (!cut) for (const name of before.filter((each) => !present.has(each))) await this.changed({ name, tag: null });
     this.tell();
   }
@@ -230,7 +233,7 @@ export class Folder {
     this.session.documents.list(name, bytes);
   }
 
-  /** By another program, or what this page has written itself. */
+  /** Handles a change by another program, or by this page itself. */
   private changed(change: FolderChange): Promise<void> {
     return this.turns.take(change.name, () => this.takeChange(change));
   }
@@ -244,7 +247,7 @@ export class Folder {
     this.tell();
   }
 
-  /** What is unsaved or run is kept, and said to be gone. */
+  /** Keeps unsaved or running documents, and marks them as gone. */
   private isGone(name: string): void {
     const { documents, history, setup } = this.session;
     history.keepTyped();
@@ -263,14 +266,14 @@ export class Folder {
     return waiting.filter(([, entry]) => (bytes += entry.bytes) <= BEGIN_BYTES).slice(0, BEGIN_FILES).map(([name]) => name);
   }
 
-  /** What is run and what is worked on is read however late it is chosen. */
+  /** Reads files of the run and of open forms even if they are chosen late. */
   private readChosen(): void {
     const { setup, store } = this.session;
     const chosen = [...Object.values(setup), store.get("pathFile"), store.get("variantsFile")];
     void this.readAll(chosen.filter((name) => typeof name === "string"));
   }
 
-  /** A file that was made and saved here, whose making was undone: the folder has it still. */
+  /** Returns true for a file that was created and saved here, and then undone: it is still in the folder. */
   private isTakenBack(name: string): boolean {
     return this.has(name) && this.files.get(name)!.base !== null && !this.session.documents.isOwn(name);
   }
@@ -279,7 +282,7 @@ export class Folder {
     return this.files.get(name)?.base === null || this.isTakenBack(name);
   }
 
-  /** Reads files, where they are of a size to be read and not here. */
+  /** Reads files if they are not too large and not loaded. */
   async readAll(names: string[]): Promise<void> {
     const waiting = names.filter((name) => this.isToRead(name) && !this.reading.has(name));
     for (const name of waiting) this.reading.add(name);
@@ -292,7 +295,9 @@ export class Folder {
     await Promise.all(Array.from({ length: AT_ONCE }, readSome));
   }
 
-  /** The document as the folder has it now, where nothing was typed here. Returns whether it is another one by that. */
+  /**
+   * Updates the document to the folder's version, if no text was typed here. Returns true if it has changed.
+   */
   private async read(name: string): Promise<boolean> {
     const { documents, history, store } = this.session;
     if ((this.files.get(name)?.bytes ?? 0) > SHOWN_BYTES) return true;
@@ -313,7 +318,7 @@ export class Folder {
       else {
         const before = documents.own(name);
         documents.take(name, read.bytes);
-        // A step of its own: else undoing what was done before it would take it away, too.
+        // A separate step, so that undoing an earlier step does not remove it, too.
         if (before !== undefined) history.made(texts.folder.replaced(name), { documents: { [name]: before } });
       }
       return !isSame;

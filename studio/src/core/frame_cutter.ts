@@ -1,5 +1,5 @@
-// Cuts a stream of bytes into the engine's frames (docs/studio.md). Each frame gets memory of its own, so that its columns lie at
-// multiples of 8; each byte is copied once.
+// Cuts a stream of bytes into the engine's frames (docs/studio.md). Each frame gets separate memory, so that
+// its columns are at multiples of 8; each byte is copied once.
 
 import { BrokenMessage } from "./message";
 
@@ -11,7 +11,7 @@ export class FrameCutter {
   private frame: Uint8Array<ArrayBuffer> | null = null;
   private filled = 0;
 
-  /** Takes what has come; hands on each frame that is whole. */
+  /** Adds received bytes; passes on each complete frame. */
   push(bytes: Uint8Array, take: (frame: Uint8Array<ArrayBuffer>) => void): void {
     for (let at = 0; at < bytes.length; ) {
       at += this.fill(bytes.subarray(at));
@@ -22,7 +22,7 @@ export class FrameCutter {
     }
   }
 
-  /** How many of the bytes belong to what is being filled. */
+  /** Returns the number of bytes that belong to the part being filled. */
   private fill(bytes: Uint8Array): number {
     const into = this.frame ?? this.size;
     const count = Math.min(bytes.length, into.length - this.filled);

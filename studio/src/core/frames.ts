@@ -1,18 +1,19 @@
-// When the next picture is due: told by the window, or, while one is shown there, by a headset, which may stop the window's.
+// Time of the next picture: set by the window, or, while a headset shows pictures, by the headset, which may
+// stop the window's.
 
 export class Frames {
   private readonly waiting = new Map<number, (now_ms: number) => void>();
   private last = 0;
   private asked = 0;
-  /** When the headset's last picture was due; null: the window tells. */
+  /** Time of the headset's last picture; null: the window sets it. */
   private shown_ms: number | null = null;
 
-  /** In the time that frames are told in. */
+  /** Returns the time in the clock of the frames. */
   get now_ms(): number {
     return this.shown_ms ?? performance.now();
   }
 
-  /** Calls back once, at the next picture; returns what cancels it. */
+  /** Calls back once, at the next picture; returns a function that cancels it. */
   request(callback: (now_ms: number) => void): number {
     this.waiting.set(++this.last, callback);
     this.ask();
@@ -35,14 +36,14 @@ export class Frames {
     for (const callback of due) callback(now_ms);
   }
 
-  /** A picture elsewhere is due; the window's count no more until release(). */
+  /** Handles a picture of another display; the window's are ignored until release(). */
   drive(now_ms: number): void {
     cancelAnimationFrame(this.asked);
     this.shown_ms = now_ms;
     this.tell(now_ms);
   }
 
-  /** The window tells again. */
+  /** Returns the timing to the window. */
   release(): void {
     this.shown_ms = null;
     this.ask();

@@ -1,23 +1,23 @@
-// Goes to a place of a run: what is shown is its instant, what is chosen its line.
+// Navigation to a position of a run: its instant is shown, its line chosen.
 
 import type { Place, Placed } from "../run/report";
 import { robotOf } from "./shown";
 import type { Store } from "./store";
 
-/** The block of a line that is under way at an instant, else the one that is nearest; -1: the line moves nothing. */
+/** Returns the block of a line at an instant, else the nearest one; -1: the line moves no axis. */
 function blockAt(store: Store, { file, line }: Place, t_s: number): number {
   const robot = robotOf(store);
   return robot ? robot.blocks.nearest(robot.files.indexOf(file), line, t_s) : -1;
 }
 
-/** Shows an instant; null leaves it as it is. */
+/** Shows an instant; null leaves it unchanged. */
 export function goTo(store: Store, { file, line }: Placed, t_s: number | null): void {
   if (t_s !== null) store.set("time_s", t_s);
   if (file === null || line === null) return;
   store.set("selection", { file, line, block: blockAt(store, { file, line }, store.get("time_s")) });
 }
 
-/** Shows where a block of the robot that is shown begins; what is chosen stays. */
+/** Shows the start of a block of the shown robot; the selection stays. */
 export function showStart(store: Store, block: number): void {
   const robot = robotOf(store);
   if (!robot) return;
@@ -26,13 +26,13 @@ export function showStart(store: Store, block: number): void {
   const t_s = blocks.start_s(block);
   store.set("time_s", t_s);
   if (segments.locate(first)) return;
-  // By vertices it is some milliseconds off.
+  // The time from vertices is inaccurate by some milliseconds.
   void segments.need(first).then((isHere) => {
     if (isHere && robotOf(store) === robot && store.get("time_s") === t_s) store.set("time_s", blocks.start_s(block));
   });
 }
 
-/** As showStart(), and chooses the block. */
+/** Does the same as showStart(), and chooses the block. */
 export function goToBlock(store: Store, block: number): void {
   const robot = robotOf(store);
   if (!robot) return;

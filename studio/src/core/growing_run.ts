@@ -1,16 +1,20 @@
-// A run that may be too long for the page, which its engine keeps: how much there is of it is told, and shown, while it goes on.
+// Run that may be too long for the page, so its engine keeps it: its size is reported and shown during the
+// run.
 
 import { Run } from "../run/run";
 import { texts } from "../texts";
 import type { Keeper } from "./engine";
 import type { Store } from "./store";
 
-/** It is shown from so many segments on, and anew when there is so much more of it, not sooner than after this time. */
+/**
+ * Number of segments from which it is shown. It is updated after this growth, but not sooner than after this
+ * time.
+ */
 const FIRST_SHOWN = 200_000;
 const GROWTH = 1.3;
 const GROWTH_MS = 1000;
 
-/** Two names that no other page has, so that the run that is shown is kept while another one begins. */
+/** Returns two names that no other page has, so that the shown run is kept while another one begins. */
 function keptNames(): string[] {
   const random = Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16).padStart(2, "0")).join("");
   return ["0", "1"].map((end) => random.slice(1) + end);
@@ -34,15 +38,15 @@ export class GrowingRun {
     return run;
   }
 
-  /** There is more of a run under way. */
+  /** Shows the larger part of a run in progress. */
   show(run: Run): void {
     const { store } = this;
     const running = store.get("running");
     const count = run.robots.reduce((sum, { segments }) => sum + segments.count, 0);
-    // Programs of loops tell no progress by their lines: what has moved does.
+    // Programs with loops report no progress by lines, so the number of segments shows it.
     if (running?.total === 0) store.set("running", { done: Math.max(running.done, count), total: 0 });
     if (!run.keptAs || count < FIRST_SHOWN) return;
-    // The page has room for one long run.
+    // The page has memory for one long run.
     if (run.isLong && store.get("run")?.isLong) store.set("run", null);
     const [growing, now_ms] = [store.get("growing"), performance.now()];
     if (growing && (count < GROWTH * growing.count || now_ms - this.shown_ms < GROWTH_MS)) return;

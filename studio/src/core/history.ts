@@ -1,34 +1,37 @@
-// What a person has changed, by whatever part of the page: texts of documents and choices of the setup, to be taken back and
-// done again.
+// Changes by the user, in any part of the page: texts of documents and choices of the setup, for undo and
+// redo.
 
 import type { Documents } from "./documents";
 import type { FileContent } from "./file_content";
 import type { Setup } from "./setup";
 
-/** Documents with their contents (null: there is none of a person's own), and choices of the setup. */
+/** Documents with their contents (null: none of the user), and choices of the setup. */
 export interface Change {
   documents?: Record<string, FileContent | null>;
   setup?: Partial<Setup>;
 }
 
-/** What the history needs of the session. */
+/** Interface of the session for the history. */
 interface HasSetup {
   readonly setup: Readonly<Setup>;
   change(setup: Partial<Setup>): void;
 }
 
-/** What was changed, and what was there: on the other side of the change. */
+/** Label of a change, and the state on the other side of it. */
 interface Step {
   label: string;
   other: Required<Change>;
-  /** Steps that follow on each other with the same word are one, as letters of a word that is typed; empty: never. */
+  /** Consecutive steps with the same word are one, such as letters of a typed word; empty: never. */
   merge: string;
   at_ms: number;
 }
 
-/** Steps of one word that are this near to each other are one. */
+/** Max time between steps of one word to be merged. */
 const MERGE_MS = 1500;
-/** Texts of large programs are kept whole: the oldest steps go when all together have more characters than this. */
+/**
+ * Complete texts of large programs are kept, so the oldest steps are dropped if all together exceed this
+ * number of characters.
+ */
 const MOST_CHARACTERS = 200_000_000;
 
 const whole = ({ documents = {}, setup = {} }: Change): Required<Change> => ({ documents, setup });
@@ -36,7 +39,7 @@ const whole = ({ documents = {}, setup = {} }: Change): Required<Change> => ({ d
 const sizeOf = ({ other }: Step): number =>
   Object.values(other.documents).reduce((sum, content) => sum + (content?.length ?? 0), 0);
 
-/** Of two changes of the same documents and choices. */
+/** Returns true if two changes of the same documents and choices are equal. */
 function isSame(one: Required<Change>, other: Required<Change>): boolean {
   const equal = (a: object, b: object) => Object.entries(a).every(([key, value]) => (b as Record<string, unknown>)[key] === value);
   return equal(one.documents, other.documents) && equal(one.setup, other.setup);
@@ -54,7 +57,7 @@ export class History {
     private readonly mostCharacters = MOST_CHARACTERS,
   ) {}
 
-  /** What undo() would take back, and redo() do again; empty: nothing. */
+  /** Returns the label of the step that undo() would revert, and redo() repeat; empty: none. */
   get undoLabel(): string {
     return this.done.at(-1)?.label ?? "";
   }
@@ -63,7 +66,10 @@ export class History {
     return this.undone.at(-1)?.label ?? "";
   }
 
-  /** Makes a change and keeps what was there. `label` says what, for people. What changes nothing is no step. */
+  /**
+   * Makes a change and keeps the previous state. `label` describes it for the user. A change without effect
+   * is no step.
+   */
   edit(label: string, change: Change, merge = ""): void {
     this.keepTyped();
     const wanted = whole(change);
@@ -74,7 +80,7 @@ export class History {
     this.tell(wanted);
   }
 
-  /** Keeps what was there before a change that has been made already, as by typing. */
+  /** Keeps the state before a change that has been made already, for example by typing. */
   made(label: string, before: Change, merge = ""): void {
     const other = whole(before);
     if (isSame(other, this.present(other))) return;
@@ -90,17 +96,23 @@ export class History {
     this.go(this.undone, this.done);
   }
 
-  /** Told of each change of what can be undone, with what was applied; null: it had been made already. */
+  /**
+   * Registers a listener for changes of the undo state, with the applied change; null: it had been made
+   * already.
+   */
   on(listener: (applied: Change | null) => void): void {
     this.listeners.add(listener);
   }
 
-  /** What a person has typed becomes a step of its own, wherever it is still kept back. */
+  /** Turns pending typed text into a separate step. */
   keepTyped(): void {
     for (const keeper of this.keepers) keeper();
   }
 
-  /** Called before each step: hands over by made() what a person has typed and no document has yet. */
+  /**
+   * Registers a function that is called before each step: it passes typed text that is in no document yet to
+   * made().
+   */
   onStep(keeper: () => void): void {
     this.keepers.add(keeper);
   }
@@ -109,14 +121,15 @@ export class History {
     this.keepTyped();
     const step = from.pop();
     if (!step) return;
-    // As it is now, and not as the step left it: what was changed since without a step of its own comes back, too.
+    // The present state is stored, not the state after the step, so that later changes without a step are
+    // restored, too.
     to.push({ label: step.label, other: this.present(step.other), merge: "", at_ms: 0 });
     this.apply(step.other);
     this.forget();
     this.tell(step.other);
   }
 
-  /** What stands where a change would be. */
+  /** Returns the present state of the items of a change. */
   private present({ documents, setup }: Required<Change>): Required<Change> {
     const now = this.session.setup as unknown as Record<string, unknown>;
     return {
@@ -138,7 +151,7 @@ export class History {
     const at_ms = Date.now();
     const last = this.done.at(-1);
     if (last && merge && last.merge === merge && at_ms - last.at_ms < MERGE_MS) {
-      // Of two that touch the same, the first one knows what was there.
+      // If two steps affect the same item, the first one has the original state.
       last.other = { documents: { ...other.documents, ...last.other.documents }, setup: { ...other.setup, ...last.other.setup } };
       last.at_ms = at_ms;
     } else {
@@ -147,7 +160,7 @@ export class History {
     this.forget();
   }
 
-  /** The oldest steps, where all together are too large; the last one stays. */
+  /** Drops the oldest steps if all together are too large; the last one stays. */
   private forget(): void {
     let characters = [...this.done, ...this.undone].reduce((sum, step) => sum + sizeOf(step), 0);
     while (characters > this.mostCharacters && this.done.length > 1) characters -= sizeOf(this.done.shift()!);

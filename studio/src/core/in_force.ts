@@ -1,13 +1,13 @@
-// What is in force at a line of a program, as the code knows it by the text.
+// Modal state at a line of a program, derived from its text.
 
 export interface InForce {
   /** Modal codes with their groups and meanings. */
   codes: { name: string; group: string; meaning: string }[];
   /** "F600", "S12000" */
   words: string[];
-  /** Whether there are subprograms, jumps or loops, so that the text says less than a run. */
+  /** True if the text has subprograms, jumps or loops, so that it is less informative than a run. */
   jumps: boolean;
 }
 
-/** When a line begins; null: nothing is known of it. */
+/** Function that returns the state when a line begins; null: unknown. */
 export type TellInForce = (file: string, line: number) => Promise<InForce | null>;

@@ -1,4 +1,4 @@
-// Changes of values in a JSON text: what a change does not touch keeps its layout.
+// Changes of values in a JSON text that keep the layout of all other parts.
 
 import { texts } from "../texts";
 
@@ -6,7 +6,7 @@ export type JsonValue = null | boolean | number | string | JsonValue[] | { [key:
 /** Keys and indices from the outermost value to one within it. */
 export type JsonPlace = readonly (string | number)[];
 
-/** A text that is no JSON: where it fails (characters from its beginning), and why. */
+/** Error of a text that is not JSON: its position (characters from the start), and the reason. */
 export class JsonFault extends Error {
   constructor(
     readonly at: number,
@@ -16,7 +16,7 @@ export class JsonFault extends Error {
   }
 }
 
-/** A piece of a text, from one character to before another. */
+/** Part of a text, from one character to before another. */
 interface Span {
   from: number;
   to: number;
@@ -33,7 +33,7 @@ const NUMBER = /-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?/y;
 const STRING = /"[^"\\\u0000-\u001f]*(?:\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})[^"\\\u0000-\u001f]*)*"/y;
 const WORD = /true|false|null/y;
 
-/** Where a sticky pattern ends that begins at a place; -1: it is not there. */
+/** Returns the end of a sticky pattern that begins at a position; -1: no match. */
 function endOf(pattern: RegExp, text: string, at: number): number {
   pattern.lastIndex = at;
   return pattern.test(text) ? pattern.lastIndex : -1;
@@ -41,17 +41,17 @@ function endOf(pattern: RegExp, text: string, at: number): number {
 
 const skipSpace = (text: string, at: number): number => endOf(SPACE, text, at);
 
-/** Is told of the members of an object or a list. */
+/** Receiver of the members of an object or a list. */
 interface Visitor {
-  /** Before a member's value is gone through; false: that is enough. */
+  /** Called before a member's value is scanned; false: stop. */
   begins(member: Member): boolean;
-  /** Behind it. */
+  /** Called after it. */
   ends(to: number): void;
 }
 
 const NOBODY: Visitor = { begins: () => true, ends: () => undefined };
 
-/** Where a value ends that begins at a place. */
+/** Returns the end of a value that begins at a position. */
 function valueEnd(text: string, at: number, level = 0): number {
   if (level > MOST_LEVELS) throw new JsonFault(at, words.tooDeep);
   if (text[at] === "{") return visit(text, at, "}", NOBODY, level);
@@ -62,14 +62,14 @@ function valueEnd(text: string, at: number, level = 0): number {
   return end;
 }
 
-/** Where a key ends. */
+/** Returns the end of a key. */
 function keyEnd(text: string, at: number): number {
   const end = text[at] === '"' ? endOf(STRING, text, at) : -1;
   if (end < 0) throw new JsonFault(at, at >= text.length ? words.endsTooSoon : words.key);
   return end;
 }
 
-/** Goes through an object or a list; where it ends, or -1: the visitor had enough. */
+/** Scans an object or a list; returns its end, or -1: the visitor stopped. */
 function visit(text: string, from: number, close: string, visitor: Visitor, level = 0): number {
   let at = skipSpace(text, from + 1);
   if (text[at] === close) return at + 1;
@@ -98,14 +98,14 @@ const visitAt = (text: string, from: number, visitor: Visitor): void => {
   if (close) visit(text, from, close, visitor);
 };
 
-/** What an object or a list holds, where it begins at a place. */
+/** Returns the members of an object or a list that begins at a position. */
 function childrenOf(text: string, from: number): Member[] {
   const members: Member[] = [];
   visitAt(text, from, { begins: (member) => members.push(member) > 0, ends: (to) => (members[members.length - 1].to = to) });
   return members;
 }
 
-/** Where a member begins; what stands behind it is not looked at. */
+/** Returns the start of a member; text after it is not scanned. */
 function beginOfChild(text: string, from: number, step: string | number): number {
   let found = -1;
   let index = -1;
@@ -119,7 +119,7 @@ function beginOfChild(text: string, from: number, step: string | number): number
   return found;
 }
 
-/** The value of a text, all of it; throws a JsonFault. */
+/** Returns the value of a complete text; throws a JsonFault. */
 export function readJson(text: string): JsonValue {
   const from = skipSpace(text, 0);
   const rest = skipSpace(text, valueEnd(text, from));
@@ -127,13 +127,13 @@ export function readJson(text: string): JsonValue {
   return JSON.parse(text) as JsonValue;
 }
 
-/** Where a value stands; throws a JsonFault where there is none. */
+/** Returns the position of a value; throws a JsonFault if it does not exist. */
 export function spanOf(text: string, place: JsonPlace): Span {
   const from = place.reduce<number>((at, step) => beginOfChild(text, at, step), skipSpace(text, 0));
   return { from, to: valueEnd(text, from) };
 }
 
-/** A value on one line: {"a": [1, 2]}. What is undefined is left out. */
+/** Returns a value on one line: {"a": [1, 2]}. Undefined values are omitted. */
 export function jsonLine(value: JsonValue): string {
   if (Array.isArray(value)) return `[${value.map(jsonLine).join(", ")}]`;
   if (value === null || typeof value !== "object") return JSON.stringify(value);
@@ -143,39 +143,39 @@ export function jsonLine(value: JsonValue): string {
 
 const splice = (text: string, from: number, to: number, by: string): string => text.slice(0, from) + by + text.slice(to);
 
-/** A value as those beside it are laid out: on one line, or with a line for each member. */
+/** Formats a value like its neighbours: on one line, or with a line for each member. */
 function laidOut(value: JsonValue, neighbour: string, indent: string): string {
   if (!neighbour.includes("\n")) return jsonLine(value);
   return JSON.stringify(value, null, 2).replaceAll("\n", `\n${indent}`);
 }
 
-/** What stands between a member and what is before it: spaces, mostly an end of line. */
+/** Returns the text between a member and its predecessor: spaces, mostly an end of line. */
 function gapBefore(text: string, at: number): string {
   let from = at;
   while (from > 0 && " \t\r\n".includes(text[from - 1])) --from;
   return text.slice(from, at);
 }
 
-/** Of the line that a place is in. */
+/** Returns the indentation of the line at a position. */
 function indentAt(text: string, at: number): string {
   const from = text.lastIndexOf("\n", at - 1) + 1;
   return text.slice(from, endOf(/[ \t]*/y, text, from));
 }
 
-/** Changes the text of the value that stands there. */
+/** Changes the text of the value at this position. */
 export function changeValue(text: string, place: JsonPlace, change: (value: string) => string): string {
   const { from, to } = spanOf(text, place);
   return splice(text, from, to, change(text.slice(from, to)));
 }
 
-/** Puts a value in place of the one that stands there. */
+/** Replaces the value at this position. */
 export function replaceValue(text: string, place: JsonPlace, value: JsonValue): string {
   const { from } = spanOf(text, place);
   return changeValue(text, place, (before) => laidOut(value, before, indentAt(text, from)));
 }
 
 /**
- * Sets a member of an object; undefined takes it away. One that is new stands behind those that come before it in
+ * Sets a member of an object; undefined removes it. A new one is inserted after those that precede it in
  * `order`.
  */
 export function setMember(text: string, place: JsonPlace, key: string, value: JsonValue | undefined, order: readonly string[]): string {
@@ -189,13 +189,13 @@ export function setMember(text: string, place: JsonPlace, key: string, value: Js
   return withChildren(text, object, members, before + 1, [`${JSON.stringify(key)}: ${jsonLine(value)}`]);
 }
 
-/** Puts values into a list, from a number on, as they are written. */
+/** Inserts values into a list at an index, as they are written. */
 export function insertTexts(text: string, place: JsonPlace, index: number, written: readonly string[]): string {
   const list = spanOf(text, place);
   return withChildren(text, list, childrenOf(text, list.from), index, written);
 }
 
-/** Puts values into a list, from a number on, laid out as the one before them. */
+/** Inserts values into a list at an index, formatted like the previous one. */
 export function insertItems(text: string, place: JsonPlace, index: number, values: readonly JsonValue[]): string {
   const neighbour = childrenOf(text, spanOf(text, place).from)[Math.max(index - 1, 0)];
   const like = neighbour ? text.slice(neighbour.from, neighbour.to) : "";
@@ -203,17 +203,17 @@ export function insertItems(text: string, place: JsonPlace, index: number, value
   return insertTexts(text, place, index, values.map((value) => laidOut(value, like, indent)));
 }
 
-/** The texts of some items of a list. */
+/** Returns the texts of some items of a list. */
 export const textsOfItems = (text: string, place: JsonPlace, first: number, count: number): string[] =>
   childrenOf(text, spanOf(text, place).from)
     .slice(first, first + count)
     .map(({ from, to }) => text.slice(from, to));
 
-/** Takes items out of a list. */
+/** Removes items from a list. */
 export const removeItems = (text: string, place: JsonPlace, first: number, count: number): string =>
   withoutChildren(text, childrenOf(text, spanOf(text, place).from), first, count);
 
-/** Gives the items of a list another order: `order` has the number that each item had before. */
+/** Reorders the items of a list: `order` has the previous index of each item. */
 export function reorderItems(text: string, place: JsonPlace, order: readonly number[]): string {
   const items = childrenOf(text, spanOf(text, place).from);
   const pieces: string[] = [];
@@ -229,7 +229,7 @@ export function reorderItems(text: string, place: JsonPlace, order: readonly num
 function withChildren(text: string, parent: Span, children: Member[], index: number, written: readonly string[]): string {
   if (children.length === 0) return splice(text, parent.from + 1, parent.to - 1, written.join(", "));
   const gap = gapBefore(text, children[children.length > 1 ? 1 : 0].keyFrom);
-  // The only member of a line that begins behind its bracket: "{}" has no gap to go by.
+  // A single member directly after its bracket, as in "{}", has no gap to copy.
   const between = children.length > 1 || gap ? gap : " ";
   if (index === 0) {
     const first = children[0].keyFrom;

@@ -1,4 +1,4 @@
-// What a file is, by its name and what stands in it.
+// Kind of a file, by its name and content.
 
 import type { FileContent } from "./file_content";
 
@@ -18,16 +18,16 @@ function kindOfToml(text: string): FileKind {
 
 const endingOf = (name: string): string => name.toLowerCase().split(".").pop() ?? "";
 
-/** By its name a program, whatever stands in it. */
+/** True if the name is that of a program, regardless of its content. */
 export const isLikeProgram = (name: string): boolean => /\.(nc|ngc|tap|cnc|gcode|g|mpf|eia|txt|lua)$/i.test(name);
 
-/** A program in Lua, of which nothing is known before it runs. */
+/** True for a program in Lua, which cannot be analysed before it runs. */
 export const isScript = (name: string): boolean => endingOf(name) === "lua";
 
 /** Without its folders. */
 export const baseName = (name: string): string => name.slice(name.lastIndexOf("/") + 1);
 
-/** Of a file that is not in the page (undefined) the name alone tells. */
+/** Returns the kind; for a file that is not in the page (undefined) only the name decides. */
 export function kindOfFile(name: string, content: FileContent | undefined): FileKind {
   if (content === undefined) return isLikeProgram(name) ? "program" : "other";
   const ending = endingOf(name);
@@ -44,10 +44,10 @@ export function kindOfFile(name: string, content: FileContent | undefined): File
   return "program";
 }
 
-/** Texts that are no programs are shown as they are, and checked by what reads them. */
+/** True for a program. Other texts are shown as they are, and checked by the code that reads them. */
 export const isProgram = (name: string, content: FileContent): boolean => kindOfFile(name, content) === "program";
 
-/** The language of a program by its name, where nothing else says it. */
+/** Returns the language of a program by its name, if it is not set elsewhere. */
 export const dialectOfName = (name: string): string => (endingOf(name) === "ngc" ? "rs274ngc" : "");
 
 /** Files by name (Documents). */
@@ -56,9 +56,9 @@ interface NamedFiles {
   kindOf(name: string): FileKind;
 }
 
-/** Documents of a kind, a person's own first. */
+/** Returns documents of a kind, the user's first. */
 export const namesOfKind = (kind: FileKind, documents: NamedFiles): string[] =>
   documents.names().filter((name) => documents.kindOf(name) === kind);
 
-/** As a list shows a name: without the folders that all samples are in. */
+/** Returns a name as in lists: without the folders that contain all samples. */
 export const shortName = (name: string): string => name.replace(/^samples\/((machines|cell)\/)?/, "");

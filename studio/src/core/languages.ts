@@ -1,4 +1,4 @@
-// The two languages of part programs, from the tables that the translator runs by.
+// Two languages of part programs, from the translator's tables.
 
 export interface Code {
   /** "G92.1" */
@@ -6,9 +6,9 @@ export interface Code {
   /** The function in Lua: "G92_1". */
   lua: string;
   meaning: string;
-  /** Modal group; null: it acts in its block alone. */
+  /** Modal group; null: it acts only in its block. */
   group: string | null;
-  /** Letters it takes besides axis words. */
+  /** Letters in addition to axis words. */
   words: string;
   axes: boolean;
   supported: boolean;
@@ -17,7 +17,7 @@ export interface Code {
 export interface Language {
   name: string;
   title: string;
-  /** Codes in force when a program begins, between blanks. */
+  /** Active codes at the start of a program, separated by blanks. */
   initial: string;
   letters: Record<string, string>;
   codes: Code[];

@@ -1,4 +1,4 @@
-// What the engine tells the page: frames of a JSON header and columns of numbers (docs/studio.md).
+// Messages of the engine to the page: frames of a JSON header and columns of numbers (docs/studio.md).
 
 export type Column = Float64Array | Float32Array | Uint32Array | Uint8Array;
 
@@ -17,12 +17,12 @@ const kinds = {
 
 const aligned = (size: number) => (size + 7) & ~7;
 
-/** Bytes that are no message, or that end too soon. */
+/** Error for bytes that are no message, or that end too soon. */
 export class BrokenMessage extends Error {}
 
 const HEAD = 8; // bytes before the header
 
-/** One frame. Its columns are views of `bytes`, whose offset is a multiple of 8. */
+/** Reads one frame. Its columns are views of `bytes`, at an offset that is a multiple of 8. */
 export function readMessage(bytes: Uint8Array): Message {
   if (bytes.length < HEAD) throw new BrokenMessage("a message ends within its head");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -41,7 +41,7 @@ export function readMessage(bytes: Uint8Array): Message {
   return { is: header.is, header, columns };
 }
 
-/** Frames that stand one behind the other; the bytes of each. */
+/** Returns the bytes of consecutive frames. */
 export function* framesOf(bytes: Uint8Array): Generator<Uint8Array> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   for (let at = 0; at < bytes.length; ) {

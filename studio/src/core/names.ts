@@ -1,4 +1,4 @@
-// What limits and marks of a run are called.
+// Names of limits and marks of a run.
 
 import type { NamedLimit } from "../run/limits";
 import type { Mark } from "../run/marks";
@@ -17,10 +17,10 @@ export function limitText({ kind, letter }: NamedLimit): string {
 
 const pairText = (pair: readonly [string, string]): string => pair.join(" – ");
 
-/** An event's kind: "jet on". */
+/** Returns an event's kind: "jet on". */
 export const eventText = (kind: string): string => kind.replaceAll("_", " ");
 
-/** What a mark says, without its kind. */
+/** Returns the text of a mark, without its kind. */
 export function markText({ kind, text, detail, pair, clearance_mm }: Mark, units: Units): string {
   if (kind === "event") return `${eventText(text)} ${detail}`.trim();
   if (kind === "near" && pair) return `${pairText(pair)}: ${lengthText(clearance_mm, units)}`;

@@ -1,4 +1,4 @@
-// Whether a run would be another one by a change of a file.
+// Check if the change of a file would change a run.
 
 import type { Run } from "../run/run";
 import type { FileKind } from "./kinds";

@@ -1,5 +1,5 @@
-// A machine with another control than its file names: the file's text with that model in place of its table of the
-// controller, so that nothing of the one control stays in the other.
+// Machine with another controller than its file names. The file's text gets that model instead of its
+// controller table, so that no setting of the one controller stays in the other.
 
 import { texts } from "../texts";
 import type { Documents } from "./documents";
@@ -8,18 +8,18 @@ import { isFile, referenceTo } from "./references";
 import type { Answered } from "./answered";
 import type { Setup } from "./setup";
 
-/** The sample that is compiled in, and taken where no machine is named. */
+/** Compiled-in sample, used if no machine is named. */
 export const BUILT_IN_MACHINE = "samples/machines/af5.toml";
 const BUILT_IN_CONTROL = /^samples\/controllers\/(.+)\.toml$/;
 
 type Ask = (request: Record<string, unknown>) => Promise<Answered>;
 
-/** A machine file's name and its text; or why there is none. */
+/** Name of a machine file with its text, or the reason why it does not exist. */
 export type OtherControl = { machine: string; text: string } | { refusal: string };
 
 const isController = (text: string): boolean => /^\s*\[controller\]/m.test(text) && !/^\s*\[\[axis\]\]/m.test(text);
 
-/** Controls that are built in, by name, and files of one's own. */
+/** Returns built-in controllers, by name, and files of the user. */
 export function controlNames(documents: Documents): string[] {
   const builtIn = [...documents.samples.keys()].flatMap((name) => BUILT_IN_CONTROL.exec(name)?.[1] ?? []);
   const own = documents.ownNames().filter((name) => isFile(name) && isController(documents.text(name)));
@@ -34,7 +34,7 @@ async function changed(ask: Ask, file: string, changes: unknown[]): Promise<{ va
   return { value: found.header.value as Record<string, unknown>, text };
 }
 
-/** Of a set-up that names a controller. */
+/** Returns the machine for a setup that names a controller. */
 export async function withOtherControl(setup: Readonly<Setup>, ask: Ask): Promise<OtherControl> {
   const { controller, robots, cell } = setup;
   if (robots) return { refusal: texts.run.controlOfRobots };

@@ -1,4 +1,4 @@
-// The path file that forms and the view work on: kept in the store as it is shown, changed by steps of the history.
+// Path file that forms and the view edit: kept in the store as it is shown, changed by steps of the history.
 
 import { isPathFile, readPathFile, targetAt, type PathFile, type Place } from "../run/path/path_file";
 import { walkPath, type Walk } from "../run/path/path_walk";
@@ -8,7 +8,7 @@ import type { Store } from "./store";
 
 const NO_WALK: Walk = { motions: [], before: new Map(), used: new Set(), faults: [] };
 
-/** A text as it is shown. */
+/** Returns a text as it is shown. */
 export function pathShown(name: string, text: string): PathShown {
   const read = readPathFile(text);
   if (!isPathFile(read)) return { name, text, file: { paths: [] }, walk: NO_WALK, fault: read.text };
@@ -18,12 +18,12 @@ export function pathShown(name: string, text: string): PathShown {
 const exists = (file: PathFile, place: Place): boolean =>
   place.target < 0 ? file.paths[place.path] !== undefined : targetAt(file, place) !== undefined;
 
-/** Keeps what is shown at what the file is. */
+/** Keeps the shown path up to date with the file. */
 export function watchPath(store: Store, { documents }: Session): void {
   const renew = () => {
     const name = store.get("pathFile");
     if (name && !documents.exists(name)) return store.set("pathFile", "");
-    // What a folder has may not be read yet: it is shown as soon as it is.
+    // A file of the folder may not be loaded yet: it is shown as soon as it is.
     if (name && documents.get(name) === undefined) return store.set("path", null);
     const text = documents.text(name);
     const shown = store.get("path");
@@ -38,7 +38,10 @@ export function watchPath(store: Store, { documents }: Session): void {
   });
 }
 
-/** Changes the path file by a step of the history, which `label` names, and chooses a point; null: the choice stays. */
+/**
+ * Changes the path file by a step of the history named `label`, and chooses a point; null: the selection
+ * stays.
+ */
 export function editPath(store: Store, session: Session, label: string, text: string, point: Place | null = null): void {
   const name = store.get("pathFile");
   if (!name) return;

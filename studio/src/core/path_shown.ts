@@ -1,14 +1,14 @@
-// A path file as it is shown.
+// Path file as it is shown.
 
 import type { PathFile } from "../run/path/path_file";
 import type { Walk } from "../run/path/path_walk";
 
-/** It has no paths if its text is not a path file. */
+/** Shown path file; without paths if its text is not a path file. */
 export interface PathShown {
   name: string;
   text: string;
   file: PathFile;
   walk: Walk;
-  /** Why the text is no path file; empty: it is one. */
+  /** Reason why the text is no path file; empty: it is one. */
   fault: string;
 }

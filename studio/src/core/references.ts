@@ -1,9 +1,9 @@
-// Names of files in files, which count from the folder of the file that they stand in.
+// Names of files in files, relative to the folder of the file that contains them.
 
-/** With the stroke at its end; empty: the outermost. */
+/** Returns the folder with its final slash; empty: the outermost. */
 export const folderOf = (name: string): string => name.slice(0, name.lastIndexOf("/") + 1);
 
-/** "a/b/../c.toml" is "a/c.toml"; what leads out of all folders stays so. */
+/** Normalises "a/b/../c.toml" to "a/c.toml"; a path that leads out of all folders stays unchanged. */
 function plain(name: string): string {
   const parts: string[] = [];
   for (const part of name.split("/")) {
@@ -14,11 +14,11 @@ function plain(name: string): string {
   return parts.join("/");
 }
 
-/** The document that `reference` means in `file`. */
+/** Returns the document that `reference` means in `file`. */
 export const resolved = (file: string, reference: string): string =>
   plain(reference.startsWith("/") ? reference : folderOf(file) + reference);
 
-/** How `file` refers to a document. */
+/** Returns the reference to a document from `file`. */
 export function referenceTo(file: string, document: string): string {
   const from = folderOf(file).split("/").slice(0, -1);
   const to = document.split("/");
@@ -27,5 +27,5 @@ export function referenceTo(file: string, document: string): string {
   return [...from.slice(same).map(() => ".."), ...to.slice(same)].join("/");
 }
 
-/** A file of TOML; of a controller's model, that it is none of those built in. */
+/** True for a TOML file; a controller's model is then not a built-in one. */
 export const isFile = (name: string): boolean => /\.toml$/i.test(name);

@@ -1,4 +1,5 @@
-// The engine of a page that gsim-studio serves: it runs beside the browser, and reads the folder by itself.
+// Engine of a page that gsim-studio serves: it runs in parallel to the browser, and reads the folder by
+// itself.
 
 import { texts } from "../texts";
 import { answerOf, cancelled, type Answer, type Engine, type Files, type Keeper } from "./engine";
@@ -10,16 +11,16 @@ type Take = (message: Message) => void;
 
 const words = texts.folder;
 
-/** Segments of a run that a page gets whole; of those behind them the way of the tip. */
+/** Segments of a run that a page gets complete; later ones are reduced to the TCP path. */
 const WHOLE_SEGMENTS = 1_000_000;
-/** Each takes 20 bytes of the page's memory and 20 of the graphics card's. */
+/** Each block takes 20 bytes of the page's memory and 20 of the graphics card's. */
 const MOST_KEPT_BLOCKS = 20_000_000;
-/** The server has no room to keep a run. */
+/** Status if the server has no space to keep a run. */
 const NO_ROOM = 507;
 
 const failed = (message: string, code = "server"): Answer => ({ ok: false, code, message });
 
-/** Pieces that one call takes as its arguments. */
+/** Number of bytes that one call takes as its arguments. */
 const PIECE = 0x8000;
 
 function base64Of(bytes: Uint8Array): string {
@@ -28,7 +29,7 @@ function base64Of(bytes: Uint8Array): string {
   return btoa(text);
 }
 
-/** Half of a letter, which UTF-8 has no bytes for. */
+/** Replaces unpaired surrogates, which have no bytes in UTF-8. */
 const wellFormed = (text: string): string => text.replace(/\p{Surrogate}/gu, "\ufffd");
 
 function bodyOf(request: Record<string, unknown>, all: Files): string {
@@ -41,7 +42,7 @@ function bodyOf(request: Record<string, unknown>, all: Files): string {
   return JSON.stringify({ request, files, binary });
 }
 
-/** Takes messages until the one that ends the answer. */
+/** Reads messages until the one that ends the response. */
 async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: AbortSignal, take: Take): Promise<Answer> {
   const cutter = new FrameCutter();
   let answer: Answer | null = null;
@@ -59,7 +60,7 @@ async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: 
     }
     return answer;
   } catch (fault) {
-    void reader.cancel().catch(() => {}); // of a broken answer the rest is not waited for
+    void reader.cancel().catch(() => {}); // the remainder of a broken response is not needed
     throw fault;
   }
 }
@@ -84,7 +85,7 @@ export class RemoteEngine implements Engine {
     return answer;
   }
 
-  /** The server ends a question whose connection is gone. */
+  /** Cancels the requests: the server ends a request with a closed connection. */
   cancel(): void {
     this.aborting.abort();
     this.aborting = new AbortController();

@@ -1,4 +1,5 @@
-// What gsim-studio answers about the folder that it serves (docs/studio.md). Addresses count from the page's own.
+// Requests to gsim-studio about the folder that it serves (docs/studio.md). Addresses are relative to the
+// address of the page.
 
 import { texts } from "../texts";
 import { readMessage, type Message } from "./message";
@@ -6,7 +7,7 @@ import { readMessage, type Message } from "./message";
 export interface Listed {
   name: string;
   bytes: number;
-  /** Of this version of the file; another version has another one. */
+  /** Tag of this version of the file; another version has another tag. */
   tag: string;
 }
 
@@ -16,19 +17,22 @@ export interface Listing {
   cut: boolean;
 }
 
-/** What has become of a file; a tag of null: it is gone. */
+/** Change of a file; the tag is null if the file was deleted. */
 export interface FolderChange {
   name: string;
   tag: string | null;
 }
 
-/** How a file was written, or that another version (null: none) is on the disk than the one that was to be replaced. */
+/**
+ * Result of writing a file. Not ok: the version on the disk (null: none) differs from the one that was to be
+ * replaced.
+ */
 export type Written = { ok: true; tag: string } | { ok: false; tag: string | null };
 
-/** What the server refused, in its words. */
+/** Error with the message of the server. */
 export class Refused extends Error {}
 
-/** What has changed since another answer; again: changes may have been missed, and all is to be listed once more. */
+/** Changes since an earlier response. `again`: changes may have been missed, so list all files again. */
 interface Changes {
   at: number;
   again: boolean;
@@ -36,12 +40,12 @@ interface Changes {
 }
 
 const LOOK_MS = 500;
-/** A server that has not answered for so long is gone. */
+/** Time without a response after which the server counts as gone. */
 const SILENCE_MS = 20_000;
 
 const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
 
-/** Why the server refused, in its own words where it has some. */
+/** Returns why the server refused, in its own words if it sent some. */
 export async function sentenceOf(response: Response): Promise<string> {
   const { error } = await toldBy(response);
   return typeof error === "string" ? error : texts.folder.refused(response.status);
@@ -67,7 +71,7 @@ export class Server {
     return (await response.json()) as Listing;
   }
 
-  /** null: there is no such file. */
+  /** Returns null if the file does not exist. */
   async read(name: string): Promise<{ bytes: Uint8Array; tag: string } | null> {
     const response = await fetch(this.fileAddress(name), { cache: "no-store" });
     if (response.status === 404) return null;
@@ -75,7 +79,7 @@ export class Server {
     return { bytes: new Uint8Array(await response.arrayBuffer()), tag: tagOf(response) };
   }
 
-  /** Writes a file in place of the version with this tag; null: in place of none. */
+  /** Writes a file in place of the version with this tag; null: the file must not exist yet. */
   async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Written> {
     const headers: Record<string, string> = tag === null ? { "If-None-Match": "*" } : { "If-Match": `"${tag}"` };
     const response = await fetch(this.fileAddress(name), { method: "PUT", headers, body: bytes as BodyInit });
@@ -88,7 +92,9 @@ export class Server {
     return { ok: true, tag: String(written.tag) };
   }
 
-  /** The whole message of segments of this number, of a run that is kept. Throws with a sentence. */
+  /**
+   * Returns the complete message of segments with this number, of a kept run. Throws an error with a message.
+   */
   async laws(run: string, number: number): Promise<Message> {
     const response = await fetch(this.address(`laws/${run}/${number}`), { cache: "no-store" }).catch(() => null);
     if (!response) throw new Refused(texts.folder.noAnswer);
@@ -97,9 +103,9 @@ export class Server {
   }
 
   /**
-   * Tells of changes as they come, and `begun` when some may have been missed: all is to be listed then; returns when the
-   * server is silent or gone. It asks again and again, as an answer that does not end takes one of the six connections
-   * that a browser has for all pages of a server.
+   * Reports changes as they come. Calls `begun` when some may have been missed, so that all files are listed
+   * again. Returns when the server is silent or gone. It polls, because a response that does not end takes
+   * one of the six connections that a browser has for all pages of a server.
    */
   async follow(begun: () => void, changed: (change: FolderChange) => void): Promise<void> {
     for (let at: number | null = null; ; await pause(LOOK_MS)) {

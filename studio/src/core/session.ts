@@ -1,4 +1,4 @@
-// What is run, and with what: asks the engine and puts what comes of it into the store.
+// Runs of programs and their inputs: sends requests to the engine and stores the results in the store.
 
 import { Run, type Told } from "../run/run";
 import type { Answered } from "./answered";
@@ -21,21 +21,24 @@ import { emptySetup, type Setup } from "./setup";
 import { texts } from "../texts";
 import type { Running, Store } from "./store";
 
-/** Of a run in the page, each of which takes some 300 bytes: an endless program ends before memory does. */
+/**
+ * Limit for a run in the page, with some 300 bytes for each block: an endless program ends before memory
+ * does.
+ */
 export const MOST_BLOCKS = 4_000_000;
 
-/** Whether a run came to its end, so that its time means something beside another's. */
+/** True if a run came to its end, so that its time can be compared with that of another run. */
 const isComparable = ({ report }: Run): boolean => report?.status === "completed" || report?.status === "violations";
 
 const doneOf = ({ header }: Message): Running => ({ done: header.done as number, total: header.total as number });
 
-/** Why a run was none; what the engine has told by itself stays. */
+/** Sets the error of a run that could not be made; an earlier error of the engine stays. */
 function refused(run: Run, message: string, code = "refused"): Run {
   run.failure ??= { code, message };
   return run;
 }
 
-/** Behind a change by a form the program runs anew, when no further one comes within this time. */
+/** Delay after a change by a form; the program runs again if no further change comes within this time. */
 const RUN_PAUSE_MS = 400;
 
 export class Session {
@@ -48,17 +51,17 @@ export class Session {
   private current = emptySetup();
   private readonly growing: GrowingRun;
   private readonly origins = new WeakMap<Run, Origin>();
-  /** Counts runs that were begun or ended, so that one that is out of turn knows it. */
+  /** Counts runs that were begun or ended, so that an outdated run notices it. */
   private turn = 0;
   private isAsking = false;
-  /** Whether the page's own run was ended by one beside it, and is made behind that. */
+  /** True if a comparison run ended the page's own run, which is then run again after it. */
   private isOwed = false;
   private known: Promise<Language[]> | null = null;
   private teller: TellInForce = () => Promise.resolve(null);
   private versions: () => Versions = () => new Map();
   private saver = async (name: string): Promise<void> => saveFile(name, this.documents);
 
-  /** Two engines, so that checking while one types does not wait for a run. */
+  /** Uses two engines, so that a check during typing does not wait for a run. */
   constructor(
     readonly store: Store,
     readonly documents: Documents,
@@ -87,7 +90,7 @@ export class Session {
     for (const listener of this.listeners) listener();
   }
 
-  /** Told of each change of the setup. */
+  /** Adds a listener for changes of the setup. */
   on(listener: () => void): void {
     this.listeners.add(listener);
   }
@@ -97,7 +100,10 @@ export class Session {
     this.soon.after(RUN_PAUSE_MS);
   }
 
-  /** Asks the engine what forms want to know (docs/studio.md), with documents at hand, and `more`, which are none yet. */
+  /**
+   * Sends a request of a form to the engine (docs/studio.md), with the documents, and with `more`, which are
+   * not documents yet.
+   */
   async question(
     request: Record<string, unknown>,
     more: Record<string, FileContent> = {},
@@ -109,32 +115,32 @@ export class Session {
     return { ...answer, messages };
   }
 
-  /** Saves a document where the page saves: as a file that the person gets, or into the folder. */
+  /** Saves a document as the page saves: as a file for the user, or into the folder. */
   save(name: string): Promise<void> {
     return this.saver(name);
   }
 
-  /** Documents are saved in another way from now on. */
+  /** Sets another function that saves documents. */
   saveBy(saver: (name: string) => Promise<void>): void {
     this.saver = saver;
   }
 
-  /** The folder, where there is one, tells which versions its files are. */
+  /** Sets the function by which the folder, if any, reports the versions of its files. */
   versionsBy(versions: () => Versions): void {
     this.versions = versions;
   }
 
-  /** What is in force where a line begins; null: nothing is known of it. */
+  /** Returns the modal state at the start of a line, or null if it is not known. */
   inForce(file: string, line: number): Promise<InForce | null> {
     return this.teller(file, line);
   }
 
-  /** The part of the page that knows the texts tells it. */
+  /** Sets the source of the modal state: the part of the page that knows the texts. */
   tellInForceBy(teller: TellInForce): void {
     this.teller = teller;
   }
 
-  /** Runs anew where the run is another one by these documents; returns whether it is. */
+  /** Runs again if these documents change the run; returns true if they do. */
   changed(names: string[]): boolean {
     const ran = this.store.get("run");
     if (!names.some((name) => isOfRun(name, this.documents.kindOf(name), this.current, ran))) return false;
@@ -147,13 +153,13 @@ export class Session {
     return { do: what, program, machine, dialect, cell, machine_data };
   }
 
-  /** Runs the program, in place of a run under way. The run before stays for comparing. */
+  /** Runs the program, in place of a run in progress. The previous run stays for comparison. */
   async run(): Promise<void> {
     this.store.set("notice", "");
     await this.begin();
   }
 
-  // A run that comes by itself leaves what the page has said.
+  // A run that starts by itself keeps the notice of the page.
   private async begin(keeper = this.runner.keeper): Promise<void> {
     this.end();
     this.isOwed = false;
@@ -169,16 +175,16 @@ export class Session {
       store.set("notice", texts.folder.notKept(run.failure.message));
       return this.begin(null);
     }
-    // Whoever is told of a run that was begun here can tell it from one that had been made before.
+    // Listeners to a run that was begun here can distinguish it from an earlier run.
     const { turn } = this;
     this.show(run);
     if (turn === this.turn) store.set("running", null);
   }
 
   /**
-   * Runs another set-up than the page's, in place of any run under way, and shows nothing of it. Null: another run, or
-   * cancelRun(), has ended it. A run of the page's own that was due or under way comes behind it, or behind those that
-   * follow it at once.
+   * Runs another setup than the page's, in place of any run in progress, and shows nothing of it. Returns
+   * null if another run or cancelRun() has ended it. A run of the page's own that was due or in progress
+   * follows after it, or after those that follow it at once.
    */
   async runBeside(setup: Readonly<Setup>, progress: (running: Running) => void): Promise<Run | null> {
     this.putOff();
@@ -193,7 +199,7 @@ export class Session {
     }
   }
 
-  /** Ends what runs; a run of the page's own is made later. */
+  /** Ends the current run; a run of the page's own is made later. */
   private putOff(): void {
     this.isOwed ||= this.soon.isDue || this.store.get("running") !== null;
     this.end();
@@ -204,18 +210,21 @@ export class Session {
     this.isOwed = false;
   }
 
-  /** Documents that a run would read otherwise today, by name; of one that came with the page nothing is known. */
+  /**
+   * Returns the names of documents that a run would read with other contents now; none for a run that came
+   * with the page.
+   */
   changedSince(run: Run): string[] {
     const origin = this.origins.get(run);
     return origin ? changedSince(run, origin, this.documents, this.versions()) : [];
   }
 
-  /** What a run was made of; undefined: it came with the page. */
+  /** Returns the inputs of a run; undefined if it came with the page. */
   origin(run: Run): Origin | undefined {
     return this.origins.get(run);
   }
 
-  /** With a keeper the run may be too long for the page; without it is whole. */
+  /** Executes a run. With a keeper the run may be too long for the page; without one it is complete. */
   private async execute(
     setup: Readonly<Setup>,
     told: (run: Run, message: Message) => void,
@@ -258,7 +267,7 @@ export class Session {
     this.put(run, before?.report?.program === run.report?.program);
   }
 
-  /** The run goes on where the one before stood, where it is of the same program. */
+  /** Shows the run; with `goesOn`, at the instant of the previous run of the same program. */
   private put(run: Run, goesOn: boolean): void {
     this.store.set("playing", false);
     this.store.set("run", run);
@@ -266,7 +275,10 @@ export class Session {
     this.store.set("time_s", goesOn ? Math.min(this.store.get("time_s"), run.end_s) : 0);
   }
 
-  /** Shows a run that has been made already, of documents as they are now; the page takes its set-up by a step that `label` names. */
+  /**
+   * Shows an existing run of the documents as they are now. The page takes its setup by a history step named
+   * `label`.
+   */
   showRun(run: Run, label: string): void {
     const origin = this.origins.get(run);
     if (!origin) return;
@@ -284,7 +296,7 @@ export class Session {
     this.store.set("notice", texts.bar.cancelled(this.store.get("run")?.report?.program ?? ""));
   }
 
-  /** Ends a run beside the page's own. */
+  /** Ends a comparison run. */
   cancelRun(): void {
     this.putOff();
     this.runOwed();
@@ -299,7 +311,7 @@ export class Session {
     this.store.set("running", null);
   }
 
-  /** What is wrong with a program's text; of a script in Lua nothing is known before it runs. */
+  /** Returns the errors of a program text; none for a Lua script, which is only checked when it runs. */
   async check(program: string): Promise<Told[]> {
     const told: Told[] = [];
     if (!program || isScript(program)) return told;
@@ -307,7 +319,7 @@ export class Session {
     return told;
   }
 
-  /** What is wrong with a file that is no program, by what reads such files. */
+  /** Returns the errors of a file that is not a program, found by the reader of such files. */
   async checkFile(name: string): Promise<Told[]> {
     const { machine, cell } = this.current;
     const requests: Partial<Record<FileKind, Record<string, unknown>>> = {
@@ -320,7 +332,7 @@ export class Session {
     return request ? faultsOf(await this.question(request)) : [];
   }
 
-  /** A program as Lua; nothing where it has errors, or is Lua. */
+  /** Returns a program as Lua, or null if it has errors or is Lua. */
   async translate(program: string): Promise<string | null> {
     if (!program || isScript(program)) return null;
     let script: string | null = null;
@@ -330,7 +342,9 @@ export class Session {
     return script;
   }
 
-  /** The volume that the tool reaches, as binary or text STL (mm); null: it cannot be told. */
+  /**
+   * Returns the volume that the tool reaches, as binary or text STL (mm), or null if it cannot be determined.
+   */
   async envelope(): Promise<Uint8Array | null> {
     let surface: Uint8Array | null = null;
     await this.checker.ask(this.request("envelope", ""), this.documents.files(), (message) => {

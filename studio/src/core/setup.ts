@@ -1,16 +1,16 @@
-// What a run is made of.
+// Inputs of a run.
 
-/** Names of documents (empty: none) and what the operator chooses. */
+/** Names of documents (empty: none) and the options of the operator. */
 export interface Setup {
   program: string;
-  /** Empty: the machine of the cell, or the one built in. */
+  /** Machine file; empty: the machine of the cell, or the built-in one. */
   machine: string;
-  /** "ab9", "rs274ngc"; empty: as the machine file says. */
+  /** "ab9", "rs274ngc"; empty: as set by the machine file. */
   dialect: string;
   cell: string;
   machine_data: string;
   robots: string;
-  /** A model that is built in, or a file, in place of the machine file's control; empty: as that says. */
+  /** Built-in model or file, in place of the controller of the machine file; empty: as set there. */
   controller: string;
   collisions: boolean;
   feed_override_percent: number;
@@ -32,7 +32,7 @@ export const emptySetup = (): Setup => ({
   spindle_override_percent: 100,
 });
 
-/** Of a set-up, which are names of documents. */
+/** Keys of a setup that are names of documents. */
 export const fileKeys = ["program", "machine", "cell", "machine_data", "robots"] as const;
 export const overrideKeys = ["feed_override_percent", "rapid_override_percent", "spindle_override_percent"] as const;
 

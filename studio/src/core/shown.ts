@@ -1,18 +1,18 @@
-// What of the run is shown: the robot that code, charts and tables are of, and the line that it is at.
+// Shown part of the run: the robot for code, charts and tables, and its current line.
 
 import type { Place } from "../run/report";
 import type { Robot } from "../run/run";
 import type { Store } from "./store";
 
-/** Undefined: nothing has moved. */
+/** Returns undefined if nothing has moved. */
 export const robotOf = (store: Store): Robot | undefined => store.get("run")?.robots[store.get("robot")];
 
-/** When the clock ends: with the run that is shown, or with the one beside it, whichever takes longer. */
+/** Returns the end of the clock: that of the shown run or of the comparison run, whichever is later. */
 export const end_sOf = (store: Store): number => Math.max(store.get("run")?.end_s ?? 0, store.get("beside")?.run.end_s ?? 0);
 
 /**
- * The line that is at work at the instant that is shown: an event's before that of the motion which begins there, but
- * where a person has chosen one of them, that one. Null: none is.
+ * Returns the active line at the shown instant, or null if none. The line of an event comes before that of
+ * the motion that begins there; but if a user has selected one of them, that one.
  */
 export function lineAtWork(store: Store): Place | null {
   const run = store.get("run");

@@ -1,4 +1,4 @@
-// The state of the page: a value for each key, and who wants to know when one changes.
+// State of the page: a value for each key, and listeners to its changes.
 
 import type { Place as PathPlace } from "../run/path/path_file";
 import type { Place } from "../run/report";
@@ -16,47 +16,47 @@ export interface Running {
   total: number;
 }
 
-/** A run beside the one that is shown, on the same clock. */
+/** Run that is compared with the shown one, on the same clock. */
 export interface Beside {
   run: Run;
-  /** What both are called: the one that is shown, and this one. */
+  /** Names of both: the shown run, and this one. */
   names: readonly [string, string];
 }
 
-/** What may be moved by hand in the view. */
+/** Object in the view that can be moved by hand. */
 export interface Handle {
-  /** Whose it is. */
+  /** Owner of the handle. */
   owner: object;
-  /** The frame that it is attached to, in the world of the run (mm); columns one behind the other. */
+  /** Frame that it is attached to, in the world of the run (mm), column by column. */
   parent: number[];
-  /** Where it stands there. */
+  /** Its pose in that frame. */
   pose: number[];
-  /** Of the scene of the robot that is shown: the frame whose bodies stand there; -1: none. */
+  /** Frame in the scene of the shown robot that carries the bodies there; -1: none. */
   frame: number;
-  /** Let go, at another place there. */
+  /** Called on release at another pose in that frame. */
   moved(pose: number[]): void;
 }
 
 export interface State {
-  /** The run that is shown, and the one before it, for comparing. */
+  /** Shown run, and the previous one for comparison. */
   run: Run | null;
   previous: Run | null;
-  /** Null: the view has one run alone. */
+  /** Comparison run; null: the view shows a single run. */
   beside: Beside | null;
-  /** A run of many segments that is under way: what there is of it, and how many that is. */
+  /** Run of many segments in progress: the part received so far, and its number of segments. */
   growing: { run: Run; count: number } | null;
-  /** Goes up when more of the run that is shown is here. */
+  /** Counter that increases when more of the shown run is loaded. */
   fetched: number;
-  /** A run that is under way, null: none. */
+  /** Run in progress; null: none. */
   running: Running | null;
-  /** The instant that is shown, in seconds of the run. */
+  /** Shown instant, in seconds of the run. */
   time_s: number;
   playing: boolean;
-  /** Seconds of the run in one second. */
+  /** Seconds of the run per second. */
   rate: number;
-  /** Whose segments are shown in charts and tables. */
+  /** Robot that has its segments shown in charts and tables. */
   robot: number;
-  /** What a person has chosen: a line, and of its blocks the one by number (-1: none in particular). */
+  /** Selection of the user: a line, and the number of one of its blocks (-1: none in particular). */
   selection: (Place & { block: number }) | null;
   colour: ColourMode;
   units: Units;
@@ -69,30 +69,30 @@ export interface State {
   showDirections: boolean;
   measuring: boolean;
   compare: boolean;
-  /** The name of the document that the editor shows. */
+  /** Name of the document in the editor. */
   document: string;
-  /** The path file that is worked on (empty: none), it as it is shown, and which of its points is chosen. */
+  /** Path file that is edited (empty: none), its shown state, and its selected point. */
   pathFile: string;
   path: PathShown | null;
   pathPoint: PathPlace | null;
-  /** Whether the view has its points. */
+  /** True if the view shows its points. */
   showPath: boolean;
-  /** Of the robot that is shown: joints (mm, rad) in place of those of the instant. */
+  /** Joints of the shown robot (mm, rad) in place of those at the shown instant. */
   jog: ArrayLike<number> | null;
-  /** The name of the file of variants that is worked on; empty: none. */
+  /** Name of the file of variants that is edited; empty: none. */
   variantsFile: string;
-  /** That form is asked what it has of the chosen line. */
+  /** True if that form is requested to show its data of the selected line. */
   hereAsked: boolean;
-  /** A form that is asked for by its name, and a drawing that a path is to be made of; empty: none. */
+  /** Name of a requested form, and a drawing to make a path from; empty: none. */
   form: string;
   drawing: string;
-  /** A place in a file that the code is asked to show, whatever kind of text it is; null: none. */
+  /** Source location that the code is requested to show, in any kind of text; null: none. */
   textAsked: Place | null;
-  /** A body that was clicked on in the view; null: none. */
+  /** Body that was clicked on in the view; null: none. */
   body: string | null;
-  /** In the view; null: none. */
+  /** Handle in the view; null: none. */
   handle: Handle | null;
-  /** A sentence to who uses the page; empty: none. */
+  /** Message to the user of the page; empty: none. */
   notice: string;
 }
 
@@ -107,7 +107,7 @@ export class Store {
     return this.state[key];
   }
 
-  /** Tells listeners where the value is another one. */
+  /** Sets a value and notifies listeners if it has changed. */
   set<K extends keyof State>(key: K, value: State[K]): void {
     const before = this.state[key];
     if (Object.is(before, value)) return;
@@ -123,7 +123,7 @@ export class Store {
     return () => all.delete(listener as Listener<never>);
   }
 
-  /** Calls at once, and on each change of one of the keys. */
+  /** Calls `listener` at once, and on each change of one of the keys. */
   watch(keys: (keyof State)[], listener: () => void): void {
     for (const key of keys) this.on(key, listener);
     listener();

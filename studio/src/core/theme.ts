@@ -1,10 +1,10 @@
-// Colours of the style sheet, for what is drawn and not styled.
+// Colours of the CSS, for items that are drawn without styles.
 
-/** A value that the theme sets: themeColour("--accent"). */
+/** Returns a value that the theme sets: themeColour("--accent"). */
 export const themeColour = (name: string): string =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** Calls when the page has turned light or dark; gives what ends that. */
+/** Calls `listener` when the page has turned light or dark; returns a function that ends this. */
 export function onTheme(listener: () => void): () => void {
   const observer = new MutationObserver(listener);
   observer.observe(document.documentElement, { attributeFilter: ["data-theme"] });

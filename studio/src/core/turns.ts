@@ -1,9 +1,9 @@
-// What is done to a thing is done one behind the other: each finds what the one before has left.
+// Actions on the same object, done one after another: each one finds the result of the one before.
 
 export class Turns {
   private readonly last = new Map<string, Promise<unknown>>();
 
-  /** Does it when all that was begun for this name before has ended, be it in a fault. */
+  /** Does `act` after all earlier actions for this name have ended, with or without an error. */
   take<T>(name: string, act: () => Promise<T>): Promise<T> {
     const done = (this.last.get(name) ?? Promise.resolve()).then(act, act);
     const forget = () => {

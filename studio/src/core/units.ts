@@ -1,15 +1,15 @@
-// Numbers as people read them, in mm or inch. The engine's are mm, deg and s throughout.
+// Numbers for users, in mm or inch. Those of the engine are in mm, deg and s throughout.
 
 import type { Units } from "./store";
 
 const MM_PER_INCH = 25.4;
 
 export const lengthUnit = (units: Units): string => (units === "inch" ? "in" : "mm");
-/** A length in the unit that is shown. */
+/** Returns a length in the shown unit. */
 export const length = (mm: number, units: Units): number => (units === "inch" ? mm / MM_PER_INCH : mm);
 export const mmOf = (value: number, units: Units): number => (units === "inch" ? value * MM_PER_INCH : value);
 
-/** "12.340": as many digits as a control shows. */
+/** Returns "12.340": with as many digits as a controller shows. */
 export const lengthNumber = (mm: number, units: Units): string => length(mm, units).toFixed(units === "inch" ? 4 : 3);
 /** "12.340 mm" */
 export const lengthText = (mm: number, units: Units): string => `${lengthNumber(mm, units)} ${lengthUnit(units)}`;
@@ -22,22 +22,22 @@ export function lengthShort(mm: number, units: Units): string {
   return `${text} ${lengthUnit(units)}`;
 }
 
-/** A value of an axis with its unit. */
+/** Returns the value of an axis with its unit. */
 export const axisText = (value: number, rotary: boolean, units: Units): string =>
   rotary ? `${value.toFixed(3)}°` : lengthText(value, units);
 
 const perMinuteText = (value: number, unit: string): string =>
   `${value >= 100 || value === 0 ? value.toFixed(0) : value.toPrecision(3)} ${unit}/min`;
 
-/** A speed along the path, as feeds are given: per minute. */
+/** Returns a speed along the path per minute, as for feeds. */
 export const feedText = (mm_s: number, units: Units): string =>
   perMinuteText(length(mm_s * 60, units), lengthUnit(units));
 
-/** A programmed feed per minute: in degrees, where it takes the tool no way. */
+/** Returns a programmed feed per minute; in degrees if the tool does not move along a path. */
 export const programmedFeedText = (feed_per_min: number, length_mm: number, units: Units): string =>
   length_mm > 0 ? feedText(feed_per_min / 60, units) : perMinuteText(feed_per_min, "°");
 
-/** Of a time, rounded to so many digits: hours, minutes and seconds, and the fraction with its point. */
+/** Splits a time, rounded to so many digits, into hours, minutes, seconds and the fraction with its point. */
 function clockParts(t_s: number, digits: number): [hours: number, minutes: number, seconds: number, fraction: string] {
   const scale = 10 ** digits;
   const parts = Math.round(t_s * scale);
@@ -61,7 +61,7 @@ export function clockText(t_s: number): string {
   return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
 }
 
-/** "1,234", "12.3", "0.0567": whole, or three digits, of what has its unit by itself. */
+/** Returns "1,234", "12.3", "0.0567": an integer, or three digits, for values that are shown with a unit. */
 export const figureText = (value: number): string =>
   value.toLocaleString("en", Math.abs(value) >= 1000 ? { maximumFractionDigits: 0 } : { maximumSignificantDigits: 3 });
 
@@ -73,7 +73,7 @@ export function energyText(energy_j: number): string {
 /** "1,234" */
 export const countText = (count: number): string => count.toLocaleString("en");
 
-/** "12.3", of a whole; with as many digits as tell small shares apart. */
+/** Returns a percentage, "12.3", with as many digits as distinguish small shares. */
 export function percentText(part: number, whole: number): string {
   const percent = whole > 0 ? (100 * part) / whole : 0;
   return percent >= 10 || percent === 0 ? percent.toFixed(1) : percent.toPrecision(2);

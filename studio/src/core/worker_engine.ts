@@ -1,10 +1,13 @@
-// The engine of a page that has it: in a worker, which goes on beside the page and can be ended.
+// Engine that is part of the page. It runs in a worker, next to the page, and can be ended.
 
 import { answerOf, cancelled, type Answer, type Engine, type Files } from "./engine";
 import { readMessage, type Message } from "./message";
 import type { Ask, FromWorker, ToWorker } from "./worker_protocol";
 
-/** Memory of an engine grows and never shrinks: one that had more bytes of files than this is ended behind its answer. */
+/**
+ * Limit in bytes of files. Memory of an engine grows and never shrinks, so an engine that had more is ended
+ * after its response.
+ */
 const LARGE_FILES = 4_000_000;
 
 const sizeOf = (files: Files): number => [...files.values()].reduce((sum, { length }) => sum + length, 0);
@@ -32,13 +35,13 @@ export class WorkerEngine implements Engine {
     return new Promise((end) => {
       this.open.set(id, { take, end });
       void this.module.then((module) => {
-        // cancel() may have come first.
+        // cancel() may have been called first.
         if (this.open.has(id)) this.send(module, { kind: "ask", id, request, files });
       });
     });
   }
 
-  /** The worker is ended, and the next question gets a new one. */
+  /** Ends the worker; the next request starts a new one. */
   cancel(): void {
     this.endAll(cancelled);
   }
@@ -75,7 +78,7 @@ export class WorkerEngine implements Engine {
     question.end(answer);
   }
 
-  // Out of memory, or a fault of the engine's: a new worker begins from nothing.
+  // Out of memory, or an internal error of the engine: a new worker starts from an empty state.
   private fail(why: string): void {
     this.endAll({ ok: false, code: "internal", message: why });
   }

@@ -1,12 +1,12 @@
-// What page and worker say to each other. Each question has a number; all that belongs to its answer carries it.
+// Messages between page and worker. Each request has a number, which all parts of its response carry.
 
-/** First of all: the engine, compiled once and shared by all workers. */
+/** First message: the engine, compiled once and shared by all workers. */
 export interface Start {
   kind: "start";
   module: WebAssembly.Module;
 }
 
-/** A request (docs/studio.md), and the files that it may name. */
+/** Request (docs/studio.md), and the files that it may name. */
 export interface Ask {
   kind: "ask";
   id: number;
@@ -16,7 +16,7 @@ export interface Ask {
 
 export type ToWorker = Start | Ask;
 
-/** A frame of the engine's; those of a question end with "done" or "failed". */
+/** Frame of the engine; the frames of a request end with "done" or "failed". */
 export interface FromWorker {
   id: number;
   bytes: Uint8Array<ArrayBuffer>;

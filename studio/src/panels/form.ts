@@ -1,6 +1,6 @@
-// A form of the side of the page.
+// Form in the side panel of the page.
 
-/** `shown` is called each time that it comes to be looked at, `hidden` when it no longer is. */
+/** `shown` is called each time that the form becomes visible, `hidden` when it no longer is. */
 export interface Form {
   element: HTMLElement;
   shown?(): void;

@@ -1,4 +1,4 @@
-// The side of the page: the results of a run, and the forms by which it is changed.
+// Side panel of the page: the results of a run, and the forms that change it.
 
 import "./side.css";
 import { element } from "../core/dom";
@@ -26,7 +26,7 @@ export function createSide(host: HTMLElement, store: Store, session: Session): v
     variants: createVariants(store, session),
   };
   let last: Form | null = null;
-  /** How far each form was scrolled when it was left. */
+  /** Scroll position of each form when it was left. */
   const scrolled_px = new Map<Form, number>();
   const tabs = createTabs(texts.side.label, texts.side.tabs, forms, "side", (name) => {
     const next = forms[name];

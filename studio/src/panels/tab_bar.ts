@@ -1,4 +1,4 @@
-// Tabs: arrows go among them, what is chosen is shown.
+// Tabs: arrows move between them, the chosen one is shown.
 
 import { element } from "../core/dom";
 
@@ -9,7 +9,7 @@ export interface Tabs<Name extends string> {
   choose(name: Name): void;
 }
 
-/** Ids begin with `prefix`; `shown` is told of each tab that comes to be looked at. */
+/** Ids begin with `prefix`; `shown` is called for each tab that becomes visible. */
 export function createTabs<Name extends string>(
   label: string,
   titles: Record<Name, string>,

@@ -1,7 +1,7 @@
 // Circles, helices and the spirals that rounded centres make: position, speed and acceleration of the three
 // joints that carry them.
 
-/** Of an arc in a record: three joints, centre, u, v, radius, end radius, sweep, lift. */
+/** Size of an arc in a record: three joints, centre, u, v, radius, end radius, sweep, lift. */
 export const ARC_SIZE = 18;
 
 export interface ArcPoint {
@@ -21,7 +21,7 @@ export function arcAt(values: Float64Array, at: number, s: number, v: number, a:
   const lift2 = values[lift] ** 2 + values[lift + 1] ** 2 + values[lift + 2] ** 2;
   const growth = change / radius;
   const logGrowth = Math.log1p(growth);
-  // The series where change / log(1 + growth) is 0 / 0, and near it.
+  // The series is for values near 0, for which change / log(1 + growth) is 0 / 0.
   const mean =
     Math.abs(growth) > 1e-4 ? change / logGrowth : radius * (1 + growth * (1 / 2 - growth * (1 / 12 - growth / 24)));
   const around_mm = sweep * mean;

@@ -1,5 +1,5 @@
-// The blocks of a run: segments one behind the other that come from the same line. A line that runs again, in a
-// loop or a subprogram, is another block. Those of segments that are here for good are in a table; behind them a
+// Blocks of a run: consecutive segments from the same line. A line that runs again, in a loop or a
+// subprogram, is another block. Blocks of permanently loaded segments are in a table; after the table, a
 // block's number counts segments up to its first one.
 
 import { SAME_TIME_S } from "./report";
@@ -10,7 +10,7 @@ import type { Chunk, Line } from "./stretch";
 export interface Block {
   file: number;
   line: number;
-  /** Its first segment, and how many it has. */
+  /** First segment, and number of segments. */
   first: number;
   count: number;
   start_s: number;
@@ -19,7 +19,7 @@ export interface Block {
 
 export class Blocks {
   private readonly firsts = new Growing(Uint32Array);
-  /** For each file the blocks in the table by their lines; made when it is asked for. */
+  /** Blocks in the table by file and line; made on first use. */
   private byLine: Map<number, ByLine> | null = null;
   private lastFile = -1;
   private lastLine = -1;
@@ -60,7 +60,7 @@ export class Blocks {
     return this.tabled + first - this.tabledSegments;
   }
 
-  /** Behind the table: the first segment of a block, and the one behind its last. */
+  /** Returns the range of a block after the table: its first segment, and the one after its last. */
   private about(segment: number): [number, number] {
     const { segments } = this;
     const line = segments.lineOf(segment);
@@ -79,19 +79,19 @@ export class Blocks {
     return block < this.tabled ? this.firsts.at(block) : this.tabledSegments + block - this.tabled;
   }
 
-  /** The segment behind its last. */
+  /** Returns the segment after its last. */
   end(block: number): number {
     if (block >= this.tabled) return this.about(this.first(block))[1];
     return block + 1 < this.tabled ? this.firsts.at(block + 1) : this.tabledSegments;
   }
 
-  /** The one behind a block; -1: it is the last. */
+  /** Returns the next block; -1: it is the last. */
   after(block: number): number {
     const end = this.end(block);
     return end < this.segments.count ? this.of(end) : -1;
   }
 
-  /** The one before; -1: it is the first. */
+  /** Returns the previous block; -1: it is the first. */
   before(block: number): number {
     return block > 0 ? this.of(this.first(block) - 1) : -1;
   }
@@ -104,7 +104,7 @@ export class Blocks {
     return this.segments.end_s_of(this.end(block) - 1);
   }
 
-  /** The blocks in the table that come from a line, in the order of time. */
+  /** Returns the blocks in the table that come from a line, in the order of time. */
   ofLine(file: number, line: number): Uint32Array {
     this.byLine ??= this.sortByLine();
     return this.byLine.get(file)?.of(line) ?? new Uint32Array();
@@ -122,7 +122,7 @@ export class Blocks {
     return new Map([...lines].map(([file, [blocks, of]]) => [file, new ByLine(blocks, of)]));
   }
 
-  /** Those behind the table. */
+  /** Returns the blocks of a line after the table. */
   *behindTable(line: Line): Generator<number> {
     const { stretches, chunks } = this.segments;
     let end = 0;
@@ -136,12 +136,15 @@ export class Blocks {
     }
   }
 
-  /** The first block that comes from a line; -1: it moves nothing. */
+  /** Returns the first block that comes from a line; -1: it moves nothing. */
   firstOf(file: number, line: number): number {
     return this.ofLine(file, line)[0] ?? (this.behindTable({ file, line }).next().value as number | undefined) ?? -1;
   }
 
-  /** The block of a line that is under way at an instant, else the one whose start is nearest; -1: it moves nothing. */
+  /**
+   * Returns the block of a line active at an instant, else the one with the nearest start; -1: it moves
+   * nothing.
+   */
   nearest(file: number, line: number, t_s: number): number {
     const found = [this.nearestInTable(file, line, t_s), ...this.nearBehindTable({ file, line }, t_s)].filter((block) => block >= 0);
     const away_s = (block: number) => {
@@ -161,7 +164,7 @@ export class Blocks {
     return this.start_s(next) - t_s < t_s - this.start_s(here) ? next : here;
   }
 
-  /** In the nearest stretches on both sides that have the line. */
+  /** Returns the blocks in the nearest stretches on both sides that contain the line. */
   private nearBehindTable(line: Line, t_s: number): number[] {
     const { stretches, chunks } = this.segments;
     const here = Math.max(lastIndex(stretches.length, (i) => stretches[i].start_s <= t_s), chunks.length);
@@ -173,7 +176,7 @@ export class Blocks {
   }
 }
 
-/** Numbers of blocks line by line, those of a line in order: an object for each line would take ten times the memory. */
+/** Numbers of blocks line by line, in order: an object for each line would take ten times the memory. */
 class ByLine {
   private readonly starts: Uint32Array;
   private readonly sorted: Uint32Array;

@@ -1,4 +1,4 @@
-// The machine's joints to places of its links, and the frames of a cell.
+// Kinematic chain from the machine's joints to the poses of its links, and the frames of a cell.
 
 import { Matrix4, Quaternion, Vector3 } from "three";
 import type { Axis, Branch, Drift, Scene } from "./scene";
@@ -30,26 +30,26 @@ const branchOf = (branch: Branch): ChainBranch => ({
   end: matrixOf(branch.end),
 });
 
-/** Where everything is at an instant, in the world (mm). */
+/** Poses of all frames at an instant, in the world (mm). */
 export interface Places {
-  /** Number 0 is the machine's world, number i what joint i - 1 moves. */
+  /** Number 0 is the machine's world, number i the link that joint i - 1 moves. */
   links: Matrix4[];
-  /** A frame for each joint, which moves along or about its Z. */
+  /** Frame of each joint, which moves along or about its Z. */
   joints: Matrix4[];
-  /** The tool centre point, without a tool's own offset. */
+  /** Tool centre point, without a tool's own offset. */
   tool: Matrix4;
-  /** In which the drawn way stands. */
+  /** Frame of the drawn path. */
   work: Matrix4;
-  /** Of the cell, as Scene.frames counts them. */
+  /** Frames of the cell, in the order of Scene.frames. */
   frames: Matrix4[];
 }
 
 export class Chain {
-  /** The machine's world in that of all robots. */
+  /** Machine's world in that of all robots. */
   private readonly world: Matrix4;
   private readonly toolSide: ChainBranch;
   private readonly workSide: ChainBranch;
-  /** For each frame its drifts in the order of time; from one's time on those before it do not count. */
+  /** Drifts of each frame in the order of time; from the start of one, earlier ones do not count. */
   private readonly drifts = new Map<number, Drift[]>();
   private readonly base: number;
 
@@ -66,7 +66,7 @@ export class Chain {
     }
   }
 
-  /** `joints` in mm and rad, at a time of the run. */
+  /** Returns all poses for `joints` in mm and rad, at a time of the run. */
   places(joints: ArrayLike<number>, t_s: number): Places {
     const count = this.scene.axes.length;
     const places: Places = {
@@ -84,7 +84,7 @@ export class Chain {
     return places;
   }
 
-  /** Whether something beside the joints moves. */
+  /** True if frames move without the joints. */
   get drifting(): boolean {
     return this.drifts.size > 0;
   }
@@ -128,7 +128,10 @@ function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 |
   return at.multiply(branch.end);
 }
 
-/** A drift's frame in the one that it goes in: the origin straight, the turn about an axis through it. */
+/**
+ * Returns the frame of a drift in its parent: the origin moves straight, the rotation is about an axis
+ * through it.
+ */
 function poseAt(drift: Drift, t_s: number): Matrix4 {
   const elapsed_s = t_s - drift.from_s;
   const pose = matrixOf(drift.pose);

@@ -1,18 +1,18 @@
-// Where the joints are in a segment, how fast they go and speed up, from its record (docs/studio.md).
+// Position, speed and acceleration of the joints in a segment, from its record (docs/studio.md).
 
 import { ARC_SIZE, arcAt } from "./arc";
 import { HEAD_SIZE, headAt, headLength_rad } from "./head";
 import { Flag } from "./kinds";
 import { addBreaks_s, lawAt, lawDuration_s, lawLength, lawSize, type LawState } from "./law";
 
-/** Values of the joints, mm or rad, with their first and second derivatives by time. */
+/** Values of the joints, mm or rad, with their first and second time derivatives. */
 export interface JointState {
   position: Float64Array;
   velocity: Float64Array;
   acceleration: Float64Array;
 }
 
-/** The records of one chunk, and how many joints each has. */
+/** Records of one chunk, and the number of joints in each. */
 export interface Records {
   values: Float64Array;
   joints: number;
@@ -24,13 +24,13 @@ export interface Part {
   duration_s: number;
 }
 
-// Behind its end a law that is shorter than its segment rests.
+// After its end, a law that is shorter than its segment is at standstill.
 function stateOf(values: Float64Array, law: number, waits: boolean, t_s: number): LawState {
   if (waits && t_s > lawDuration_s(values, law)) return { s: lawLength(values, law), v: 0, a: 0 };
   return lawAt(values, law, t_s);
 }
 
-/** Offsets of the parts of a record; -1: there is none. */
+/** Offsets of the parts of a record; -1: none. */
 interface Layout {
   lead: number;
   arc: number;
@@ -62,7 +62,7 @@ const zeros = (count: number): JointState => ({
   acceleration: new Float64Array(count),
 });
 
-/** `end`: where the joints are behind the segment, those of a motion beside it added. */
+/** Sets `out` to the joints at the end of the segment, with those of a superimposed motion added. */
 function putEnd(records: Records, part: Part, beside: Part | null, out: Float64Array): void {
   const { values, joints } = records;
   for (let j = 0; j < joints; ++j) out[j] = values[part.at + joints + j];
@@ -128,7 +128,7 @@ function addBeside(records: Records, beside: Part, t_s: number, out: JointState)
   }
 }
 
-/** The state of the joints `t_s` after the start of a segment; exact at both ends. */
+/** Returns the state of the joints `t_s` after the start of a segment; exact at both ends. */
 export function jointsAt(records: Records, part: Part, t_s: number): JointState {
   const { values, joints } = records;
   const layout = layoutOf(records, part);
@@ -146,7 +146,10 @@ export function jointsAt(records: Records, part: Part, t_s: number): JointState 
   return out;
 }
 
-/** Speed of the tool along its path (mm/s): `length_mm` is the segment's, `carriers` the joints of X, Y and Z. */
+/**
+ * Returns the speed of the tool along its path (mm/s): `length_mm` is the segment's, `carriers` the joints of
+ * X, Y and Z.
+ */
 export function pathSpeed(records: Records, part: Part, t_s: number, length_mm: number, carriers: number[]): number {
   const { values } = records;
   const layout = layoutOf(records, part);
@@ -160,10 +163,10 @@ export function pathSpeed(records: Records, part: Part, t_s: number, length_mm: 
   return Math.sqrt(velocity.reduce((square, v, joint) => (carries(joint) ? square + v * v : square), 0));
 }
 
-/** Where the law of the lead stands in `values`. */
+/** Returns the position of the leading law in `values`. */
 export const leadOf = (records: Records, at: number): number => at + 2 * records.joints;
 
-/** Acceleration of the tool along its path (mm/s2); arguments as of pathSpeed. */
+/** Returns the acceleration of the tool along its path (mm/s2); arguments as of pathSpeed. */
 export function pathAcceleration(
   records: Records,
   part: Part,
@@ -189,14 +192,14 @@ export function pathAcceleration(
   return speed2 > 0 ? along / Math.sqrt(speed2) : Math.sqrt(size2);
 }
 
-/** Whether all joints go in proportion to the lead's law. */
+/** True if all joints move in proportion to the leading law. */
 export function isProportional(records: Records, part: Part): boolean {
   if (part.flags & (Flag.arc | Flag.orientation | Flag.beside | Flag.apart)) return false;
   const lead = leadOf(records, part.at);
   return records.values[lead + lawSize(records.values, lead)] === 0;
 }
 
-/** Instants within a segment at which the law of one of its motions changes, as it comes. */
+/** Returns the instants within a segment at which the law of one of its motions changes, unsorted. */
 export function breaksOf_s(records: Records, part: Part): number[] {
   const { values } = records;
   const layout = layoutOf(records, part);

@@ -1,21 +1,21 @@
-// The distance between two bodies, by the points of each that are farthest in a direction (Gilbert, Johnson and Keerthi,
-// 1988). A mesh counts as its hull.
+// Distance between two bodies, from the points of each that are farthest in a direction (Gilbert, Johnson and
+// Keerthi, 1988). A mesh counts as its hull.
 
 import { Matrix3, Matrix4, Vector3 } from "three";
 import type { Shape } from "./scene";
 
-/** A body without the margin round it. */
+/** Body without the margin around it. */
 interface Core {
-  /** Its farthest point in a direction, in the world. */
+  /** Returns its farthest point in a direction, in the world. */
   farthest(direction: Vector3): Vector3;
   margin_mm: number;
 }
 
 const MOST_STEPS = 100;
-/** Relative to the distance squared: what is left to gain. */
+/** Smallest improvement that counts, relative to the distance squared. */
 const ENOUGH = 1e-10;
 
-/** In the shape's own frame. */
+/** Works in the shape's own frame. */
 function farthestOf(shape: Shape, meshes: Float32Array[]): (direction: Vector3) => Vector3 {
   switch (shape.kind) {
     case "box": {
@@ -44,7 +44,7 @@ function farthestAmong(coordinates: ArrayLike<number>, d: Vector3): Vector3 {
   return new Vector3(coordinates[best], coordinates[best + 1], coordinates[best + 2]);
 }
 
-/** A body of a scene where it stands. */
+/** Returns a body of a scene at its pose. */
 export function coreOf(shape: Shape, meshes: Float32Array[], place: Matrix4): Core {
   const farthest = farthestOf(shape, meshes);
   const back = new Matrix3().setFromMatrix4(place).transpose();
@@ -54,12 +54,15 @@ export function coreOf(shape: Shape, meshes: Float32Array[], place: Matrix4): Co
   };
 }
 
-/** Shares of points whose mix is nearest to the origin among all mixes of them; null: that has a share below 0. */
+/**
+ * Returns the weights of the combination of points that is nearest to the origin; null: it has a weight below
+ * 0.
+ */
 function sharesOf(points: Vector3[]): number[] | null {
   const [first, ...others] = points;
   if (others.length === 0) return [1];
   const ways = others.map((point) => point.clone().sub(first));
-  // Normal equations, by elimination: three at most.
+  // Solves the normal equations by elimination: three at most.
   const rows = ways.map((way) => [...ways.map((other) => way.dot(other)), -way.dot(first)]);
   for (let i = 0; i < rows.length; ++i) {
     const pivot = rows[i][i];
@@ -78,7 +81,7 @@ function sharesOf(points: Vector3[]): number[] | null {
 const mixOf = (points: Vector3[], shares: number[]): Vector3 =>
   points.reduce((sum, point, i) => sum.addScaledVector(point, shares[i]), new Vector3());
 
-/** The point of a simplex that is nearest to the origin, and the corners that it is a mix of. */
+/** Returns the point of a simplex that is nearest to the origin, and the corners that it combines. */
 function nearest(simplex: Vector3[]): { point: Vector3; corners: Vector3[] } {
   let best = { point: simplex[0], corners: [simplex[0]] };
   for (let set = 1; set < 1 << simplex.length; ++set) {

@@ -1,12 +1,12 @@
-// The way of a tilting head's two joints on which the tool turns along a great circle (Clairaut's relation).
+// Path of a tilting head's two joints that turns the tool along a great circle (Clairaut's relation).
 
-/** Of an orientation arc in a record: turning and tilting joint, and thirteen constants. */
+/** Size of an orientation arc in a record: turning and tilting joint, and thirteen constants. */
 export const HEAD_SIZE = 15;
 
 export interface HeadPoint {
   turnJoint: number;
   tiltJoint: number;
-  /** rad, and the first and second derivative by the angle along the circle. */
+  /** Angle in rad, and its first and second derivative by the angle along the circle. */
   turn: [number, number, number];
   tilt: [number, number, number];
 }

@@ -38,7 +38,7 @@ export const limitKinds = [
 ] as const;
 export type LimitKind = (typeof limitKinds)[number];
 
-/** What reports call a limit; speed and acceleration follow the axis (docs/report.md). */
+/** Names of limits in reports; speed and acceleration follow the axis (docs/report.md). */
 export const limitWords: Record<LimitKind, string> = {
   feed: "feed",
   path_speed: "contour speed",

@@ -1,5 +1,5 @@
-// Time laws: how far a motion is on its path at an instant. The same closed forms as the engine's, in 64 bits,
-// so that the page shows the machine where it is and not where a drawing has it.
+// Time laws: distance of a motion on its path at an instant. The closed forms are the engine's, in 64 bits.
+// So the page shows the exact position of the machine and not that of a drawing.
 
 export interface LawState {
   /** Distance, speed and acceleration along the path (mm or rad, s). */
@@ -8,7 +8,10 @@ export interface LawState {
   a: number;
 }
 
-/** Of a law in a record: length, duration, end speed, number of pieces; then five numbers for each piece. */
+/**
+ * Header of a law in a record: length, duration, end speed, number of parts; five numbers for each part
+ * follow.
+ */
 const HEAD = 4;
 const PIECE = 5;
 
@@ -16,7 +19,7 @@ export const lawSize = (values: Float64Array, at: number): number => HEAD + PIEC
 export const lawLength = (values: Float64Array, at: number): number => values[at];
 export const lawDuration_s = (values: Float64Array, at: number): number => values[at + 1];
 
-/** The state of the law that stands at `at`, `t_s` after its start; clamped at both ends. */
+/** Returns the state of the law that begins at `at`, `t_s` after its start; clamped at both ends. */
 export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
   const length = values[at];
   const duration_s = values[at + 1];
@@ -30,7 +33,7 @@ export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
     t -= values[piece];
     piece += PIECE;
   }
-  // Counted from the end, the last piece comes to rest exactly, however long the others are.
+  // The last part is counted from the end, so it reaches standstill exactly, however long the others are.
   const own_s = values[piece];
   if (piece === last) t = own_s - (duration_s - t_s);
   t = Math.min(Math.max(t, 0), own_s);
@@ -43,10 +46,10 @@ export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
   };
 }
 
-/** Lowest and highest speed, lowest and highest acceleration, of nothing yet. */
+/** Returns an empty range: lowest and highest speed, lowest and highest acceleration. */
 export const newRange = (): Float64Array => new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
 
-/** Widens a range of speeds and accelerations to what the law has. */
+/** Widens a range of speeds and accelerations by those of the law. */
 export function widenByLaw(values: Float64Array, at: number, range: Float64Array): void {
   const end = at + lawSize(values, at);
   if (end === at + HEAD) widenSpeed(range, values[at + 2]);
@@ -68,7 +71,7 @@ function widenSpeed(range: Float64Array, speed: number): void {
   if (v > range[1]) range[1] = v;
 }
 
-/** Adds the instants at which one piece of the law gives way to the next, its start and end left out. */
+/** Adds the instants between the parts of the law, without its start and end. */
 export function addBreaks_s(values: Float64Array, at: number, breaks_s: number[]): void {
   let t_s = 0;
   for (let piece = 0; piece < values[at + 3] - 1; ++piece) {

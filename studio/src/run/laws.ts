@@ -1,15 +1,15 @@
-// The columns of a long run that a page does not hold: fetched by stretches, of which the last few that were looked
-// at are kept.
+// Columns of a long run that a page does not hold: fetched by stretches; the last few that were viewed are
+// kept.
 
 import type { Message } from "../core/message";
 import { chunkOf, type Chunk, type Stretch } from "./stretch";
 
-/** The whole message of segments of this number. */
+/** Fetches the complete message of segments with this number. */
 export type FetchLaws = (number: number) => Promise<Message>;
 
 /** Some 70 MB. */
 const MOST = 16;
-/** What could not be had is not asked for again at each step of a scrub. */
+/** Pause after an error, so that a scrub does not repeat the request at each step. */
 const REST_MS = 2000;
 
 export class Laws {
@@ -19,7 +19,7 @@ export class Laws {
   private works = false;
   private failed_ms = -Infinity;
   private last: [Stretch, Chunk] | null = null;
-  /** Told when some have come, and why some have not. */
+  /** Called when some have been loaded, and why some have not. */
   come: () => void = () => {};
   failed: (why: string) => void = () => {};
 
@@ -42,7 +42,7 @@ export class Laws {
     return chunk;
   }
 
-  /** As the last one that was looked at. */
+  /** Stores a chunk as the last one that was viewed. */
   private put(stretch: Stretch, chunk: Chunk): void {
     this.here.delete(stretch);
     this.here.set(stretch, chunk);
@@ -50,7 +50,7 @@ export class Laws {
     while (this.here.size > this.most) this.here.delete(this.here.keys().next().value!);
   }
 
-  /** Fetches these one by one; what was wanted before and is not on its way is wanted no more. */
+  /** Fetches these one by one; earlier requests that are not in progress are dropped. */
   want(stretches: Stretch[]): void {
     this.wanted = stretches;
     if (!this.works && performance.now() - this.failed_ms > REST_MS) void this.work();
@@ -64,7 +64,7 @@ export class Laws {
     this.works = false;
   }
 
-  /** Fetches one at once; whether it is here then. */
+  /** Fetches one at once; returns true if it is then loaded. */
   async need(stretch: Stretch): Promise<boolean> {
     if (stretch.whole || this.here.has(stretch)) return true;
     const coming = this.coming.get(stretch) ?? this.bring(stretch);
@@ -75,7 +75,7 @@ export class Laws {
   private async bring(stretch: Stretch): Promise<boolean> {
     try {
       const chunk = chunkOf(await this.fetch(stretch.number));
-      // Those of another run would be joints of another motion.
+      // Data of another run would be joints of another motion.
       if (chunk.first !== stretch.first || chunk.count !== stretch.count || chunk.start_s[0] !== stretch.start_s) {
         throw new Error(`message ${stretch.number} is of another run`);
       }

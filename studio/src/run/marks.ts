@@ -1,16 +1,16 @@
-// What stands out in a run, in the order of time: events, alarms, what is past limits, contacts, findings.
+// Marks of a run, in the order of time: events, alarms, exceeded limits, contacts, findings.
 
 import type { Placed, Report } from "./report";
 import type { Robot, Run } from "./run";
 
 export const markKinds = ["alarm", "collision", "violation", "zone", "motor", "finding", "near", "event"] as const;
-/** The gravest first; "near" is a clearance that is less than asked for. */
+/** Kinds, the most severe first; "near" is a clearance below the requested one. */
 export type MarkKind = (typeof markKinds)[number];
 
 export interface Mark extends Placed {
   t_s: number;
   kind: MarkKind;
-  /** Of events their kind, of all others what there is to tell. */
+  /** Kind of an event, or the message of any other mark. */
   text: string;
   detail: string;
   /** Of contacts and clearances. */
@@ -21,7 +21,7 @@ export interface Mark extends Placed {
 const placed = (from: Placed): Placed => ({ file: from.file, line: from.line });
 const plain = { detail: "", pair: null, clearance_mm: 0 };
 
-/** When a line first moves, s. */
+/** Returns the first motion of a line, s. */
 function startOfLine(robot: Robot | undefined, { file, line }: Placed): number {
   if (!robot || file === null || line === null) return 0;
   const block = robot.blocks.firstOf(robot.files.indexOf(file), line);
@@ -37,7 +37,7 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
     yield { ...plain, ...placed(violation), t_s: violation.t_s, kind, text: violation.message };
   }
   for (const excess of report.efforts?.excesses ?? []) {
-    if (excess.kind === "continuous") continue; // of the whole run
+    if (excess.kind === "continuous") continue; // of the complete run
     yield { ...plain, ...placed(excess), t_s: excess.t_s, kind: "motor", text: excess.message };
   }
   for (const finding of report.findings ?? []) {
@@ -55,7 +55,9 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
   }
 }
 
-/** Of one robot; a clearance whose time is not known stands where its line first moves. */
+/**
+ * Returns the marks of one robot; a clearance with unknown time is placed at the first motion of its line.
+ */
 export function marksOf(run: Run, index: number): Mark[] {
   const report = run.reportOf(index);
   if (!report) return [];

@@ -1,8 +1,8 @@
-// The report of a run, as gsim run --json has it (docs/report.md); what the page looks at.
+// Report of a run, as of gsim run --json (docs/report.md); the parts that the page uses.
 
 import type { RunStatus, Severity } from "./kinds";
 
-/** Times of the report are rounded to this. */
+/** Rounding of times in the report. */
 export const SAME_TIME_S = 1e-9;
 
 export type { Severity };
@@ -43,7 +43,7 @@ export interface Collision extends Placed {
 }
 
 export interface Clearance extends Placed {
-  /** When; missing where it is not known. */
+  /** Time; missing if not known. */
   t_s?: number;
   clearance_mm: number;
   pair: [string, string];
@@ -59,7 +59,7 @@ export interface ReportDiagnostic extends Placed {
   hint?: string | null;
 }
 
-/** What the motor of an axis had to do, N or Nm; null: the machine file does not tell. */
+/** Effort of an axis motor, N or Nm; null: not in the machine file. */
 export interface AxisEffort extends Placed {
   axis: string;
   unit: string;
@@ -93,7 +93,7 @@ export interface Efforts {
   excess_count: number;
 }
 
-/** How far an axis was behind its set points, mm or deg. */
+/** Following error of an axis, mm or deg. */
 export interface AxisFollowing extends Placed {
   axis: string;
   unit: string;
@@ -103,7 +103,7 @@ export interface AxisFollowing extends Placed {
   rms: number;
 }
 
-/** Where the tip was farthest from its way. */
+/** Largest distance of the TCP from its path. */
 export interface ContourError extends Placed {
   error_mm: number;
   t_s: number;
@@ -124,7 +124,7 @@ export interface Report {
   status: RunStatus;
   alarm: (Placed & { code: string; message: string; axis: string | null }) | null;
   cycle_time_s: number;
-  /** With violations: from here on the times are not those of the machine. */
+  /** With violations: time after which the times are not those of the machine. */
   valid_until_s?: number | null;
   time?: { rapid_s: number; feed_s: number; dwell_s: number; words_s?: number };
   length?: { rapid_mm: number; feed_mm: number; jet_on_mm: number };

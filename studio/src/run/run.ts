@@ -1,4 +1,4 @@
-// A run as the page has it: what the engine told of it, robot by robot.
+// Run as the page has it: the messages of the engine, robot by robot.
 
 import type { Message } from "../core/message";
 import { Blocks } from "./blocks";
@@ -14,16 +14,16 @@ import { Series, type SeriesKind } from "./series";
 export class Robot {
   readonly segments: Segments;
   readonly blocks: Blocks;
-  /** What there is over time beside them, where its machine tells of masses or of servo loops. */
+  /** Values over time in addition to the segments, if the machine has masses or servo loops. */
   readonly series = new Map<SeriesKind, Series>();
   chain: Chain;
-  /** Names of sources, as segments count them. */
+  /** Names of sources, in the numbering of segments. */
   files: string[] = [];
 
   constructor(
     readonly name: string,
     public scene: Scene,
-    /** Of bodies that are surfaces: nine coordinates (mm) for a triangle. */
+    /** Meshes of bodies: nine coordinates (mm) for a triangle. */
     readonly meshes: Float32Array[],
     laws: Laws | null = null,
   ) {
@@ -43,7 +43,7 @@ export class Robot {
     return this.scene.axes.map((axis) => axis.letter);
   }
 
-  /** Joints in mm and rad at a time; at home where nothing has moved; null: they are not here yet. */
+  /** Returns joints in mm and rad at a time; at home if nothing has moved; null: not loaded yet. */
   joints_at(t_s: number): ArrayLike<number> | null {
     const { segments } = this;
     const state = segments.joints_at(t_s);
@@ -55,13 +55,13 @@ export class Robot {
     return this.scene.axes.map((axis) => jointValue(axis, axis.home));
   }
 
-  /** The tip in use at a time, by its number in the scene; null: it is not here yet. */
+  /** Returns the TCP in use at a time, by its number in the scene; null: not loaded yet. */
   tip_at(t_s: number): number | null {
     const segment = this.segments.at(t_s);
     return segment >= 0 ? (this.segments.info(segment)?.tip ?? null) : 0;
   }
 
-  /** Values of the axes in mm and deg; null: they are not here yet. */
+  /** Returns the values of the axes in mm and deg; null: not loaded yet. */
   axes_at(t_s: number): number[] | null {
     const joints = this.joints_at(t_s);
     return joints && this.scene.axes.map((axis, i) => axisValue(axis, joints[i]));
@@ -79,7 +79,7 @@ export interface Told {
   hint: string;
 }
 
-/** Times of clearances, which reports do not have, since each takes a search. */
+/** Sets the times of clearances, which reports do not have because each needs a search. */
 function tellWhen(clearances: Clearance[] = [], near_s: (number | null)[] = []): void {
   clearances.forEach((clearance, i) => (clearance.t_s = near_s[i] ?? undefined));
 }
@@ -89,31 +89,31 @@ export class Run {
   readonly told: Told[] = [];
   report: Report | null = null;
   reportText = "";
-  /** Why it was not run. */
+  /** Reason why it was not run. */
   failure: { code: string; message: string } | null = null;
-  /** Of each robot its events in the order of time. */
+  /** Events of each robot in the order of time. */
   private readonly events = new Map<number, ReportEvent[]>();
-  /** Of a run that may be too long for the page: what is not here. */
+  /** Loader of missing parts, for a run that may be too long for the page. */
   readonly laws: Laws | null;
-  /** Messages of segments that have come. */
+  /** Number of messages of segments received. */
   private parts = 0;
 
   constructor(
-    /** The sources as they were when it ran, by name. */
+    /** Sources at the time of the run, by name. */
     readonly sources: Map<string, string> = new Map(),
     fetchLaws: FetchLaws | null = null,
-    /** What the engine keeps it as; empty: it does not. */
+    /** Name under which the engine keeps it; empty: it does not. */
     readonly keptAs = "",
   ) {
     this.laws = fetchLaws && new Laws(fetchLaws);
   }
 
-  /** Whether not all of it is here. */
+  /** True if not all of it is loaded. */
   get isLong(): boolean {
     return this.robots.some(({ segments }) => segments.isLong);
   }
 
-  /** Fetches what is shown at a time; `ahead`: and what comes behind it. */
+  /** Fetches the data shown at a time; `ahead`: also those after it. */
   want(t_s: number, ahead = false): void {
     if (!this.isLong) return;
     const all = this.robots.map(({ segments }) => segments);
@@ -126,7 +126,7 @@ export class Run {
     return Math.max(this.report?.cycle_time_s ?? 0, ...this.robots.map((robot) => robot.segments.end_s));
   }
 
-  /** Takes what the engine tells. */
+  /** Processes a message of the engine. */
   take(message: Message): void {
     const { header, columns } = message;
     const robot = this.robots[header.robot as number];
@@ -167,14 +167,14 @@ export class Run {
     }
   }
 
-  /** A robot's own report; of the only one that of the run. */
+  /** Returns a robot's own report; that of the run if it is the only robot. */
   reportOf(robot: number): Report | null {
     return this.report?.robots?.[robot] ?? this.report;
   }
 
   /**
-   * The lines that are at work at a time: those of events at that instant, which stand between moves, else that of the
-   * segment under way; none where the robot is done.
+   * Returns the active lines at a time: those of events at that instant, which occur between moves, else that
+   * of the active segment; none if the robot is done.
    */
   placesAt(robot: number, t_s: number): Place[] {
     if (!this.robots[robot]) return [];
@@ -185,7 +185,10 @@ export class Run {
     return moving ? [moving] : places;
   }
 
-  /** The line of the segment under way at a time; null: the robot is done, has not moved at all, or what it does is not here. */
+  /**
+   * Returns the line of the segment active at a time; null: the robot is done, has not moved at all, or the
+   * data is not loaded.
+   */
   placeOfMotion(robot: number, t_s: number): Place | null {
     const { segments, files } = this.robots[robot] ?? {};
     if (!segments || segments.count === 0 || t_s > segments.end_s + SAME_TIME_S) return null;
@@ -202,7 +205,7 @@ export class Run {
     return all.slice(first, end);
   }
 
-  /** The index of a source in a robot's list; -1: it has not run. */
+  /** Returns the index of a source in a robot's list; -1: it has not run. */
   fileOf(robot: number, name: string): number {
     return this.robots[robot]?.files.indexOf(name) ?? -1;
   }

@@ -1,6 +1,6 @@
-// What stands in a run's world, as the engine tells it (docs/studio.md).
+// Contents of a run's world, as sent by the engine (docs/studio.md).
 
-export type Matrix = number[]; // 16 values, columns one behind the other
+export type Matrix = number[]; // 16 values, column by column
 export type Point = [number, number, number];
 
 export interface Axis {
@@ -12,12 +12,12 @@ export interface Axis {
   max_speed: number | null;
   max_acceleration: number | null;
   max_jerk: number | null;
-  /** The most that its motor brings up, N or Nm; null: it is not told. */
+  /** Max effort of its motor, N or Nm; null: not known. */
   motor_peak: number | null;
-  /** Whether it brings up less at some speeds. */
+  /** True if the motor is weaker at some speeds. */
   motor_fades: boolean;
   home: number;
-  /** Reading of the axis where its joint is at 0. */
+  /** Reading of the axis at joint value 0. */
   zero: number;
   carries: "tool" | "work" | "nothing";
 }
@@ -48,12 +48,15 @@ export interface Body {
   shape: Shape;
 }
 
-/** Of the machine: with a link (0 the world, i what joint i - 1 moves). Else attached to another frame. */
+/**
+ * Frame of the machine: with a link (0 the world, i the one that joint i - 1 moves). Else attached to another
+ * frame.
+ */
 export type Frame =
   | { name: string; link: number; in_link: Matrix }
   | { name: string; parent: number; in_parent: Matrix };
 
-/** From `from_s` on a frame goes so in the one that it is attached to, until its next drift. */
+/** Motion of a frame in its parent from `from_s` on, until its next drift. */
 export interface Drift {
   frame: number;
   from_s: number;
@@ -62,10 +65,10 @@ export interface Drift {
   spin_rad_s: Point;
 }
 
-/** A box in machine coordinates; null: no wall there. */
+/** Box in machine coordinates; null: no wall there. */
 export interface Zone {
   name: string;
-  /** The tool stays inside, else outside. */
+  /** True if the tool stays inside, else outside. */
   inside: boolean;
   on: boolean;
   min_mm: (number | null)[];
@@ -75,26 +78,26 @@ export interface Zone {
 export interface Scene {
   machine: string;
   controller: string;
-  /** Of the machine's world in that of all robots. */
+  /** Machine's world in that of all robots. */
   base: Matrix;
   axes: Axis[];
   position_joints: [number, number, number];
   tool_side: Branch;
   work_side: Branch;
-  /** From X, Y and Z of the machine to the work frame, other axes at 0. */
+  /** Transformation from X, Y and Z of the machine to the work frame, other axes at 0. */
   axis_space: Matrix | null;
   max_feed_mm_s: number | null;
   max_rapid_mm_s: number | null;
   max_acceleration_mm_s2: number | null;
   process: string | null;
   zones: Zone[];
-  /** Tips of the tools used, in the frame of the tool centre point. */
+  /** TCPs of the tools used, in the frame of the tool centre point (without tool offset). */
   tips_mm: Point[];
   cell?: string;
   clearance_mm?: number;
   frames?: Frame[];
   bodies?: Body[];
   drifts?: Drift[];
-  /** When each of the report's clearances is. */
+  /** Times of the report's clearances. */
   near_s?: (number | null)[];
 }

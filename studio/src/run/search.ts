@@ -1,6 +1,6 @@
-// Where in an order something ends to hold.
+// Binary search for the end of a condition.
 
-/** The last index below `count` for which it holds, where it holds for all before that too; -1: for none. */
+/** Returns the last index below `count` that holds, provided all before it hold too; -1: none. */
 export function lastIndex(count: number, holds: (index: number) => boolean): number {
   let [low, high] = [-1, count - 1];
   while (low < high) {

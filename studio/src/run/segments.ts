@@ -1,4 +1,4 @@
-// The segments of a run, as columns in chunks, in the order of time.
+// Segments of a run, as columns in chunks, in the order of time.
 
 import type { Message } from "../core/message";
 import { jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
@@ -8,22 +8,25 @@ import type { Laws } from "./laws";
 import { lastIndex } from "./search";
 import { Stretch, type Chunk, type Line, type MaybeUnderWay } from "./stretch";
 
-/** What the flags of a segment say (docs/studio.md): numbers of moveKinds and limitKinds, the limit's axis (-1: none). */
+/**
+ * Decodes the flags of a segment (docs/studio.md): numbers of moveKinds and limitKinds, the limit's axis (-1:
+ * none).
+ */
 export const kindCodeOf = (flags: number): number => (flags >>> 8) & 15;
 export const limitCodeOf = (flags: number): number => (flags >>> 12) & 15;
 export const limitAxisOf = (flags: number): number => ((flags >>> 16) & 31) - 1;
 const REST = segmentKinds.indexOf("rest");
-/** Whether nothing moves, also within a move: a control may wait for its axes to settle. */
+/** True if nothing moves, also within a move: a controller may wait for its axes to settle. */
 export const isRest = (flags: number): boolean => (flags & 3) === REST;
 export const isRapid = (flags: number): boolean => moveKinds[kindCodeOf(flags)] === "rapid";
 
-/** A segment as rows have it. */
+/** Segment as used by rows. */
 export interface SegmentInfo {
   index: number;
   start_s: number;
   duration_s: number;
   length_mm: number;
-  /** As programmed, mm/min or deg/min; 0 in rapids and dwells. */
+  /** Programmed feed, mm/min or deg/min; 0 in rapids and dwells. */
   feed_per_min: number;
   deviation_mm: number;
   line: number;
@@ -33,24 +36,24 @@ export interface SegmentInfo {
   rests: boolean;
   processOn: boolean;
   limit: LimitKind;
-  /** The axis of the limit, as an index; -1: none. */
+  /** Axis of the limit, as an index; -1: none. */
   limitAxis: number;
 }
 
-/** Segments of which one is under way, from the first to the last: by a chunk it is one. */
+/** Range of segments with the active one, from the first to the last; a single one if the chunk is loaded. */
 interface UnderWay extends MaybeUnderWay {
   stretch: Stretch;
   chunk: Chunk | null;
 }
 
 /**
- * Of a long run what a segment's state is evaluated from is not here until it is fetched: what needs it is null then,
- * and what is told by vertices is so within 32 bits.
+ * For a long run the data of a segment's state is fetched on demand: functions that need it return null until
+ * then, and values from vertices have 32 bits.
  */
 export class Segments {
-  /** All, in the order of time. */
+  /** All stretches, in the order of time. */
   readonly stretches: Stretch[] = [];
-  /** Of those that are here for good, which come first. */
+  /** Chunks of the permanently loaded stretches, which come first. */
   readonly chunks: Chunk[] = [];
   count = 0;
 
@@ -60,7 +63,7 @@ export class Segments {
     private readonly laws: Laws | null = null,
   ) {}
 
-  /** `number`: how many messages of segments the engine told before. */
+  /** `number`: number of earlier messages of segments. */
   add(message: Message, number = this.stretches.length): void {
     const stretch = new Stretch(message.header.first as number, message, number, this.stretches.at(-1));
     if (stretch.count === 0 && stretch.vertices === 0) return;
@@ -69,7 +72,7 @@ export class Segments {
     this.count = stretch.first + stretch.count;
   }
 
-  /** Whether there is more than what is here for good. */
+  /** True if some segments are not permanently loaded. */
   get isLong(): boolean {
     return this.chunks.length < this.stretches.length;
   }
@@ -84,7 +87,7 @@ export class Segments {
     return stretches[Math.max(lastIndex(stretches.length, (i) => stretches[i].first <= index), 0)];
   }
 
-  /** The stretch under way at a time; undefined: nothing moves. */
+  /** Returns the stretch active at a time; undefined: nothing moves. */
   stretchAt(t_s: number): Stretch | undefined {
     const { stretches } = this;
     if (this.count === 0) return undefined;
@@ -95,26 +98,28 @@ export class Segments {
     return stretch.whole ?? this.laws?.get(stretch) ?? null;
   }
 
-  /** The chunk of a segment, and its place there; null: it is not here. */
+  /** Returns the chunk of a segment, and its index there; null: not loaded. */
   locate(index: number): [Chunk, number] | null {
     const stretch = this.stretchOf(index);
     const chunk = this.chunk(stretch);
     return chunk && [chunk, index - stretch.first];
   }
 
-  /** The stretch under way at a time where it is not here. */
+  /** Returns the stretch active at a time if it is not loaded. */
   lacking(t_s: number): Stretch | null {
     const stretch = this.stretchAt(t_s);
     return stretch && !this.chunk(stretch) ? stretch : null;
   }
 
-  /** Fetches all of a segment; whether it is here then. */
+  /** Fetches all data of a segment; returns true if it is then loaded. */
   async need(index: number): Promise<boolean> {
     const stretch = this.stretchOf(index);
     return stretch.whole !== null || ((await this.laws?.need(stretch)) ?? false);
   }
 
-  /** What is under way at a time: of two that meet there the later one; undefined: nothing moves. */
+  /**
+   * Returns the segments active at a time: of two that meet there the later one; undefined: nothing moves.
+   */
   private underWay(t_s: number): UnderWay | undefined {
     const stretch = this.stretchAt(t_s);
     if (!stretch) return undefined;
@@ -124,12 +129,17 @@ export class Segments {
     return { stretch, chunk, from: index, to: index, vertex: -1 };
   }
 
-  /** The segment under way at a time; -1: there are none. Where it is not here, and may wait, the one behind that. */
+  /**
+   * Returns the segment active at a time; -1: none. If it is not loaded, and may be a wait, the one after
+   * that.
+   */
   at(t_s: number): number {
     return this.underWay(t_s)?.to ?? -1;
   }
 
-  /** The flags of the segment under way, as far as they are here (Stretch.flagsOf); null: there is none, or it is not known. */
+  /**
+   * Returns the flags of the active segment, as far as loaded (Stretch.flagsOf); null: none, or not known.
+   */
   flags_at(t_s: number): number | null {
     const now = this.underWay(t_s);
     if (!now || t_s > now.stretch.end_s) return null;
@@ -139,7 +149,7 @@ export class Segments {
     return t_s > chunk.start_s[i] + chunk.duration_s[i] ? null : chunk.flags[i];
   }
 
-  /** Where the segment under way comes from; null: there is none, or it is not known. */
+  /** Returns the source line of the active segment; null: none, or not known. */
   lineAt(t_s: number): Line | null {
     const now = this.underWay(t_s);
     if (!now) return null;
@@ -147,19 +157,19 @@ export class Segments {
     return line.file === last.file && line.line === last.line ? line : null;
   }
 
-  /** Where the tip is at a time by the drawn way (mm, in the work frame); null: nothing moves. */
+  /** Returns the TCP position at a time on the drawn path (mm, in the work frame); null: nothing moves. */
   tip_mm(t_s: number): number[] | null {
     return this.stretchAt(t_s)?.tip_mm(t_s) ?? null;
   }
 
-  /** When a segment begins; by vertices where it is not here. */
+  /** Returns the start of a segment; from vertices if it is not loaded. */
   start_s(index: number): number {
     const stretch = this.stretchOf(index);
     const chunk = this.chunk(stretch);
     return chunk ? chunk.start_s[index - stretch.first] : stretch.roughStart_s(index);
   }
 
-  /** When it ends, as start_s(). */
+  /** Returns the end of a segment, as start_s(). */
   end_s_of(index: number): number {
     const here = this.locate(index);
     if (here) return here[0].start_s[here[1]] + here[0].duration_s[here[1]];
@@ -194,7 +204,7 @@ export class Segments {
     };
   }
 
-  /** What a segment's state is evaluated from. */
+  /** Returns the data for a segment's state. */
   part(chunk: Chunk, i: number): Part {
     return { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] };
   }
@@ -203,7 +213,7 @@ export class Segments {
     return { values: chunk.values, joints: this.joints };
   }
 
-  /** Joints (mm, rad) at a time of the run; null: there are none, or they are not here. */
+  /** Returns joints (mm, rad) at a time of the run; null: none, or not loaded. */
   joints_at(t_s: number): JointState | null {
     const here = this.hereAt(t_s);
     if (!here) return null;
@@ -216,7 +226,7 @@ export class Segments {
     return index < 0 ? null : this.locate(index);
   }
 
-  /** Speed of the tool along its path, mm/s; 0 where the run has ended; null: it is not here. */
+  /** Returns the speed of the tool along its path, mm/s; 0 after the end of the run; null: not loaded. */
   speed_at(t_s: number): number | null {
     if (this.count === 0 || t_s >= this.end_s) return 0;
     const here = this.hereAt(t_s);
@@ -226,7 +236,7 @@ export class Segments {
     return pathSpeed(this.records(chunk), this.part(chunk, i), since_s, chunk.length_mm[i], this.carriers);
   }
 
-  /** The highest speed of a segment along the tool's path, mm/s. */
+  /** Returns the highest speed of a segment along the tool's path, mm/s. */
   peakSpeed(chunk: Chunk, i: number): number {
     const law = leadOf(this.records(chunk), chunk.record[i]);
     const length = lawLength(chunk.values, law);

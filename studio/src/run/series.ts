@@ -1,5 +1,5 @@
-// What a run has over time beside its segments (forces, following errors): straight lines between instants, or of
-// long runs the lowest and highest values within steps of time.
+// Values of a run over time in addition to its segments (forces, following errors): straight lines between
+// instants, or for long runs the lowest and highest values within steps of time.
 
 import type { Message } from "../core/message";
 import { lastIndex } from "./search";
@@ -7,22 +7,22 @@ import { lastIndex } from "./search";
 export const seriesKinds = ["efforts", "following"] as const;
 export type SeriesKind = (typeof seriesKinds)[number];
 
-/** One curve. Efforts are in N and Nm, shares those of what the motor has, errors in mm and deg. */
+/** One curve. Efforts are in N and Nm, shares relative to the motor's capability, errors in mm and deg. */
 export interface Channel {
   of: "power" | "effort" | "motor_peak" | "share" | "contour" | "error";
-  /** By number; missing where it is of the whole machine. */
+  /** Number of the axis; missing for the complete machine. */
   axis?: number;
 }
 
-/** Beyond its ends (s) there is nothing; up to here it is rounding. */
+/** Rounding margin (s) at both ends; no values exist beyond it. */
 const AT_END_S = 1e-6;
 
 export class Series {
   readonly channels: Channel[];
-  /** Length of steps, s; 0: there are instants. */
+  /** Length of steps, s; 0: instants. */
   readonly step_s: number;
   private readonly t_s: Float64Array;
-  /** Values of all channels, instant by instant or step by step; of instants both are the same. */
+  /** Values of all channels, instant by instant or step by step; equal to `high` for instants. */
   private readonly low: Float32Array;
   private readonly high: Float32Array;
 
@@ -44,18 +44,18 @@ export class Series {
     return this.low.length / this.width;
   }
 
-  /** The number of a curve; -1: there is none. */
+  /** Returns the number of a curve; -1: none. */
   channel(of: Channel["of"], axis?: number): number {
     return this.channels.findIndex((channel) => channel.of === of && channel.axis === axis);
   }
 
-  /** The last instant up to a time (-1: before all), or the step at it, which need not be among those that there are. */
+  /** Returns the last instant up to a time (-1: before all), or the step at it, which need not exist. */
   indexAt(t_s: number): number {
     if (this.step_s > 0) return Math.floor(t_s / this.step_s);
     return lastIndex(this.t_s.length, (i) => this.t_s[i] <= t_s);
   }
 
-  /** Where an instant is, or a step begins. */
+  /** Returns the time of an instant, or of the start of a step. */
   time_s(index: number): number {
     return this.step_s > 0 ? index * this.step_s : this.t_s[index];
   }
@@ -65,7 +65,7 @@ export class Series {
     return this.low.subarray(index * this.width, (index + 1) * this.width);
   }
 
-  /** Widens to the values of an instant, or within a step. */
+  /** Widens the range by the values of an instant or a step. */
   widen(index: number, low: Float32Array, high: Float32Array): void {
     const at = index * this.width;
     for (let j = 0; j < this.width; ++j) {
@@ -74,7 +74,7 @@ export class Series {
     }
   }
 
-  /** Values at a time, NaN where there are none; of a step those that are farthest from 0. */
+  /** Sets the values at a time, NaN if none; for a step those that are farthest from 0. */
   put(t_s: number, out: Float32Array): void {
     const { width, count } = this;
     const index = this.indexAt(t_s);

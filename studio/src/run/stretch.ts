@@ -1,6 +1,6 @@
-// A stretch of a run: up to 65,536 segments one behind the other, with what is always here of them: the way of the
-// tip, what is drawn of it, and the lines that they come from. All else is in the columns of a chunk, which of a
-// long run are fetched when they are looked at (laws.ts).
+// Stretch of a run: up to 65,536 consecutive segments, with the data that is always loaded: the path of the
+// TCP, its drawing data, and the source lines. All other data is in the columns of a chunk, which for a long
+// run are fetched on demand (laws.ts).
 
 import type { Message } from "../core/message";
 import { lastIndex } from "./search";
@@ -42,24 +42,29 @@ export function chunkOf(message: Message): Chunk {
   };
 }
 
-/** A line of a source, by the number of that. */
+/** Line of a source, by the number of the source. */
 export interface Line {
   file: number;
   line: number;
 }
 
-/** What a stretch tells by its vertices of an instant: segments of which one is under way, from the first to the last. */
+/**
+ * Result of a search by vertices for an instant: a range of segments with the active one, from the first to
+ * the last.
+ */
 export interface MaybeUnderWay {
   from: number;
   to: number;
-  /** Where there is but one that it ends a piece of; -1: there are several, or it has no way. */
+  /** Vertex at the end of the current part, if only one segment is possible; -1: several, or no path. */
   vertex: number;
 }
 
-/** A row of `lines`: its first segment, and of that file and line; each further segment is `step` lines on. */
+/**
+ * Row of `lines`: its first segment, and the file and line of that; each further segment is `step` lines on.
+ */
 const ROW = 4;
 
-// The upper half of an entry of vertex_segment (docs/studio-server.md).
+// Decoding of an entry of vertex_segment, with its upper half (docs/studio-server.md).
 const SEGMENT = 0xffff;
 const SPEEDS_PER_OCTAVE = 8;
 const ONE_MM_PER_S = 17;
@@ -74,15 +79,15 @@ export class Stretch {
   readonly vertex_mm: Float32Array;
   /** How many vertices it has. */
   readonly vertices: number;
-  /** All of it, of a stretch that is here for good; null: it is fetched. */
+  /** Complete data of a permanently loaded stretch; null: fetched on demand. */
   readonly whole: Chunk | null;
   private readonly vertex_s: Float32Array;
-  /** What times of vertices count from. */
+  /** Origin of the vertex times. */
   private readonly base_s: number;
   private readonly packed: Uint32Array;
   private readonly lines: Uint32Array;
 
-  /** `number`: how many messages of segments the engine told before; `before`: the stretch that this one goes on from. */
+  /** `number`: number of earlier messages of segments; `before`: the stretch that this one continues. */
   constructor(
     readonly first: number,
     message: Message,
@@ -105,19 +110,22 @@ export class Stretch {
     this.end_s = whole && last >= 0 ? whole.start_s[last] + whole.duration_s[last] : ((header.end_s as number) ?? this.start_s);
   }
 
-  /** Number of the segment whose way the piece before a vertex belongs to. */
+  /** Returns the segment that the part before a vertex belongs to. */
   segmentOf(vertex: number): number {
     return this.first + (this.packed[vertex] & SEGMENT);
   }
 
-  /** The flags of that segment (docs/studio.md); of a lean stretch its move, its limit without an axis, and its process. */
+  /**
+   * Returns the flags of that segment (docs/studio.md); for a lean stretch its move, its limit without an
+   * axis, and its process.
+   */
   flagsOf(vertex: number): number {
     const packed = this.packed[vertex];
     if (this.whole) return this.whole.flags[packed & SEGMENT];
     return (((packed >>> 16) & 0xff) << 8) | (((packed >>> 24) & 1) << 2);
   }
 
-  /** Its mean speed along the path, mm/s; of a lean stretch within 5 %. */
+  /** Returns its mean speed along the path, mm/s; for a lean stretch within 5 %. */
   speedOf_mm_s(vertex: number): number {
     const packed = this.packed[vertex];
     if (!this.whole) return speeds_mm_s[packed >>> 25];
@@ -130,12 +138,14 @@ export class Stretch {
     return this.base_s + this.vertex_s[vertex];
   }
 
-  /** The vertex that ends the piece under way at a time; their number behind the last. */
+  /** Returns the vertex that ends the part active at a time; after the last, the number of vertices. */
   vertexAt(t_s: number): number {
     return lastIndex(this.vertices, (i) => this.time_s(i) <= t_s) + 1;
   }
 
-  /** Segments that wait have no vertices, so that nothing tells when the next piece begins. */
+  /**
+   * Returns a range, because segments that wait have no vertices, so the start of the next part is unknown.
+   */
   underWay(t_s: number): MaybeUnderWay {
     const vertex = this.vertexAt(t_s);
     const last = this.first + this.count - 1;
@@ -147,19 +157,21 @@ export class Stretch {
     return from <= last ? { from, to: last, vertex: -1 } : { from: last, to: last, vertex: vertex - 1 };
   }
 
-  /** The first vertex that a segment from this one on ends at. */
+  /** Returns the first vertex at the end of this segment or a later one. */
   firstVertexOf(segment: number): number {
     const inside = segment - this.first;
     return lastIndex(this.packed.length, (i) => (this.packed[i] & SEGMENT) < inside) + 1;
   }
 
-  /** About when a segment begins: by vertices, in 32 bits. */
+  /** Returns the approximate start of a segment: from vertices, in 32 bits. */
   roughStart_s(segment: number): number {
     const vertex = this.firstVertexOf(segment);
     return segment > this.first && vertex > 0 ? this.time_s(vertex - 1) : this.start_s;
   }
 
-  /** Where the tip is at a time, between the vertices about it (mm, in the work frame); null: nowhere. */
+  /**
+   * Returns the TCP position at a time, interpolated between vertices (mm, in the work frame); null: none.
+   */
   tip_mm(t_s: number): number[] | null {
     if (this.vertices === 0) return null;
     const to = Math.min(this.vertexAt(t_s), this.vertices - 1);
@@ -190,7 +202,7 @@ export class Stretch {
     return row + 1 < this.rows ? this.lines[ROW * (row + 1)] : this.count;
   }
 
-  /** Where a segment comes from. */
+  /** Returns the source line of a segment. */
   lineOf(segment: number): Line {
     const inside = segment - this.first;
     if (this.whole) return { file: this.whole.file[inside], line: this.whole.line[inside] };
@@ -204,7 +216,10 @@ export class Stretch {
     return own.file === file && own.line === line;
   }
 
-  /** Of a lean stretch the first of the segments up to this one that come from its line, and the one behind the last. */
+  /**
+   * Returns the block of a segment in a lean stretch: its first segment with the same line, and the one after
+   * its last.
+   */
   blockAbout(segment: number): [number, number] {
     const line = this.lineOf(segment);
     let row = this.rowOf(segment - this.first);
@@ -224,7 +239,9 @@ export class Stretch {
     return [begin, end];
   }
 
-  /** Of a lean stretch segments of a line, in order: where rows of it begin, or one of a row. */
+  /**
+   * Returns segments of a line in a lean stretch, in order: the start of each row, or one segment of a row.
+   */
   *segmentsOf({ file, line }: Line): Generator<number> {
     const { lines } = this;
     for (let row = 0; row < this.rows; ++row) {

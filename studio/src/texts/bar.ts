@@ -1,4 +1,4 @@
-// The bar: files, choices, running, and what the page says of them.
+// Bar: files, options, running, and messages of the page.
 
 export const bar = {
   samples: "Samples",

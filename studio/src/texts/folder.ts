@@ -1,4 +1,4 @@
-// The folder that gsim-studio serves.
+// Folder that gsim-studio serves.
 
 /** "12.3 MB" */
 const sizeText = (bytes: number): string => `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;

@@ -1,4 +1,4 @@
-// The machine and the cell: forms of their files.
+// Machine and cell: forms of their files.
 
 export const machine = {
   label: "Machine and cell",

@@ -1,7 +1,7 @@
 // Paths.
 
 export const paths = {
-  /** What steps of the history are called. */
+  /** Names of steps of the history. */
   labels: {
     begin: "a new path file",
     drawing: (name: string) => `a path from ${name}`,
@@ -111,7 +111,7 @@ export const paths = {
     subPath: "Path",
     repeats: "Times",
   },
-  /** Where a path is, and with what it works. */
+  /** Position and tool of a path. */
   frame: {
     origin: "Its place",
     origins: { control: "as the control has it", program: "set by the program" },
@@ -126,7 +126,7 @@ export const paths = {
     diameterOffset: "Diameter offset",
     recorded: "It was recorded from a run: work offsets stand at its points, tools among their actions, and none here.",
   },
-  /** Of a fixed or reference point. */
+  /** Texts for a fixed or reference point. */
   machinePoint: {
     kind: "Kind",
     kinds: { fixed: "fixed point", reference: "reference point" },
@@ -225,7 +225,7 @@ export const paths = {
     make: "Make path",
     cancel: "Cancel",
   },
-  /** Of parts that need not be flat. */
+  /** Texts for parts that need not be flat. */
   contours: {
     kind: "Cut",
     flat: "the outline of a flat part",
@@ -242,7 +242,7 @@ export const paths = {
       bridges: "Bridges",
       bridge_mm: "Width of a bridge",
     },
-    /** What could be cut, to be chosen from. */
+    /** Texts for the selection of possible cuts. */
     picture: {
       title: "Contours of the part",
       label: "Contours of the part: arrows turn the picture, + and − zoom, 0 goes back. The list below says what they are.",
@@ -260,7 +260,7 @@ export const paths = {
       noneCut: "No contour is chosen: tick one at least.",
     },
   },
-  /** What is wrong with a path file. */
+  /** Errors of a path file. */
   faults: {
     at: (line: number, column: number, sentence: string) => `Line ${line}, column ${column}: ${sentence}`,
     ofFile: "the path file",

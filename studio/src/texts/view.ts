@@ -1,4 +1,4 @@
-// The view: machine, cell and path.
+// View: machine, cell and path.
 
 export const view = {
   label: "Machine and path. Arrows turn, Shift and arrows shift, plus and minus zoom, 1 to 4 stand, F fits.",

@@ -1,4 +1,4 @@
-// The instant that is shown, in seconds and as a clock has it, with what runs then.
+// Shown instant, in seconds and as a clock, with the active motion.
 
 import { kindColours } from "../core/colours";
 import { element } from "../core/dom";

@@ -1,8 +1,8 @@
-// Follows a pointer from press to release, wherever it goes.
+// Follows a pointer from press to release, wherever it moves.
 
 export interface Drag {
   begin?(event: PointerEvent): void;
-  /** `x_px` and `y_px` since it was told last. */
+  /** `x_px` and `y_px` since the last call. */
   move(event: PointerEvent, x_px: number, y_px: number): void;
 }
 

@@ -1,4 +1,4 @@
-// Draws the strip that the scrubber runs along: ticks, marks, kinds of motion, where the process is on.
+// Draws the strip of the scrubber: ticks, marks, kinds of motion, process on.
 
 import { grey, kindColours, orange, purple, vermilion, yellow } from "../core/colours";
 import { themeColour } from "../core/theme";
@@ -11,7 +11,7 @@ import { isOnWithin } from "./process";
 import { firstAfter } from "./steps";
 import { ticks, type TimeWindow } from "./window";
 
-/** What the strip shows of one robot. */
+/** Contents of the strip for one robot. */
 export interface Content {
   segments: Segments;
   marks: readonly Mark[];
@@ -69,7 +69,7 @@ function drawTicks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   }
 }
 
-/** Neighbouring columns of one kind are one rectangle. */
+/** Draws adjacent columns of one kind as one rectangle. */
 function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, segments: Segments): void {
   let from = 0;
   let kind = -1;
@@ -95,7 +95,7 @@ function drawProcess(ctx: CanvasRenderingContext2D, window: TimeWindow, width: n
   }
 }
 
-/** In a column of pixels the gravest alone. */
+/** Draws only the most severe mark in a column of pixels. */
 function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, marks: readonly Mark[]): void {
   const gravest = new Map<number, MarkKind>();
   const rank = (kind: MarkKind) => markKinds.indexOf(kind);
@@ -108,7 +108,7 @@ function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   for (const [x, kind] of lightFirst) drawMark(ctx, x, kind);
 }
 
-/** Shapes tell kinds apart beside colours: bar, triangle, cross, diamond, circle. */
+/** Draws a shape for each kind, in addition to colours: bar, triangle, cross, diamond, circle. */
 function drawMark(ctx: CanvasRenderingContext2D, x: number, kind: MarkKind): void {
   const [top, bottom] = [MARKS.top, MARKS.top + MARKS.height];
   const middle = (top + bottom) / 2;

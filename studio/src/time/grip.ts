@@ -1,4 +1,4 @@
-// The upper edge of the strip, by which it is made higher or lower.
+// Upper edge of the strip, for changing its height.
 
 import { element } from "../core/dom";
 import { texts } from "../texts";

@@ -1,4 +1,4 @@
-// The strip at the bottom: playing, stepping, the scrubber, charts over time.
+// Strip at the bottom: playing, stepping, the scrubber, charts over time.
 
 import "uplot/dist/uPlot.min.css";
 import "./time.css";
@@ -53,7 +53,7 @@ export function createTime(host: HTMLElement, store: Store, _session: Session, f
   const left = element("div", { class: "left" }, createZoom(store, window), charts.chooser);
   host.append(createGrip(host), bar, left, scrubber.element, charts.list);
 
-  // What a mark was called does not hold of another instant.
+  // The text of a mark does not apply to another instant.
   store.on("time_s", () => {
     if (told.textContent) told.textContent = "";
     if (!window.isWhole) window.show(store.get("time_s"));

@@ -1,10 +1,10 @@
-// Keys that work wherever no text is being written.
+// Keys that work everywhere except in text input.
 
 export type Keys = Record<string, () => void>;
 
 const boxes = ":is([type=checkbox], [type=radio])";
 const writes = `input:not(${boxes}), textarea, select, [contenteditable], .cm-editor`;
-// These take Space for themselves.
+// These elements use Space themselves.
 const presses = `button, summary, a[href], input${boxes}, [role=tab], [role=option], [role=menuitem]`;
 
 /** Listens on the page; `keys` by KeyboardEvent.key. */

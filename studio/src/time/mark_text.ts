@@ -1,11 +1,11 @@
-// A mark as the strip tells it: where it is, of what kind, and what it says.
+// Mark as text in the strip: position, kind and message.
 
 import { markText } from "../core/names";
 import type { Units } from "../core/store";
 import type { Mark } from "../run/marks";
 import { texts } from "../texts";
 
-/** "line 14: jet on", "line 12: Collision: nozzle – clamp" */
+/** Returns "line 14: jet on", "line 12: Collision: nozzle – clamp" */
 export function fullMarkText(mark: Mark, units: Units): string {
   const said = markText(mark, units);
   const what = mark.kind === "event" ? said : `${texts.time.marks[mark.kind]}: ${said}`;

@@ -1,4 +1,4 @@
-// Lets the time of the run go by, `rate` seconds of it in a second.
+// Plays the run, `rate` seconds of it in a second.
 
 import type { Frames } from "../core/frames";
 import { end_sOf } from "../core/shown";
@@ -19,7 +19,7 @@ export function createPlayer(store: Store, frames: Frames): void {
   store.on("playing", (playing) => {
     frames.cancel(frame);
     if (!playing) return;
-    // At the end it begins anew.
+    // Starts again at the end.
     if (store.get("time_s") >= end_sOf(store)) store.set("time_s", 0);
     before_ms = frames.now_ms;
     frame = frames.request(step);

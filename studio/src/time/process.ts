@@ -1,10 +1,10 @@
-// When the process (jet, spindle, torch) is on.
+// Times with the process (jet, spindle, torch) on.
 
 import { Flag } from "../run/kinds";
 import { lastIndex } from "../run/search";
 import type { Segments } from "../run/segments";
 
-/** Stretches of time one behind the other, as start and end in turn (s). */
+/** Returns consecutive stretches of time, as start and end in turn (s). */
 export function processOn_s(segments: Segments): Float64Array {
   const edges: number[] = [];
   let on = false;
@@ -24,7 +24,7 @@ export function processOn_s(segments: Segments): Float64Array {
   return Float64Array.from(edges);
 }
 
-/** Whether it is on somewhere from one instant to another. */
+/** True if it is on at some time between two instants. */
 export function isOnWithin(edges_s: Float64Array, from_s: number, to_s: number): boolean {
   const next = lastIndex(edges_s.length, (i) => edges_s[i] <= from_s) + 1;
   return next % 2 === 1 || (next < edges_s.length && edges_s[next] < to_s);

@@ -1,5 +1,5 @@
-// The scrubber: a slider over the stretch of time that is shown, with marks and bands; below it what part of the
-// run that is.
+// Scrubber: a slider over the shown stretch of time, with marks and bands; below it the position of that
+// stretch in the run.
 
 import { element } from "../core/dom";
 import { goTo } from "../core/go";

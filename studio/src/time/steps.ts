@@ -16,7 +16,7 @@ export function goToEnd(store: Store): void {
   store.set("time_s", end_sOf(store));
 }
 
-/** To the start of the block before or behind; from within a block back to its own start. */
+/** Moves to the start of the previous or next block; from within a block back to its own start. */
 export function stepBlock(store: Store, by: 1 | -1): void {
   const robot = robotOf(store);
   if (!robot || robot.segments.count === 0) return;
@@ -39,11 +39,11 @@ function stepFrom(store: Store, { blocks, segments }: Robot, by: 1 | -1): void {
   else goToEnd(store);
 }
 
-/** The first mark that is later than an instant, by its number; `marks.length`: there is none. */
+/** Returns the number of the first mark after an instant; `marks.length`: none. */
 export const firstAfter = (marks: readonly Mark[], t_s: number): number =>
   lastIndex(marks.length, (i) => marks[i].t_s <= t_s) + 1;
 
-/** Goes to the mark before or behind, and returns it. */
+/** Moves to the previous or next mark, and returns it. */
 export function stepMark(store: Store, marks: readonly Mark[], by: 1 | -1): Mark | null {
   const t_s = store.get("time_s");
   const index = by > 0 ? firstAfter(marks, t_s + SAME_TIME_S) : firstAfter(marks, t_s - SAME_TIME_S) - 1;

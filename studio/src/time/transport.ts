@@ -60,6 +60,6 @@ export function createTransport(store: Store, actions: Actions): HTMLElement {
   );
 }
 
-/** The step that is nearest on the scale. */
+/** Returns the step that is nearest on the scale. */
 const nearest = (rate: number): number =>
   rates.reduce((best, step) => (Math.abs(Math.log(step / rate)) < Math.abs(Math.log(best / rate)) ? step : best));

@@ -1,4 +1,4 @@
-// The stretch of time that scrubber and charts show.
+// Stretch of time that scrubber and charts show.
 
 const LEAST_S = 1e-4;
 
@@ -20,7 +20,7 @@ export class TimeWindow {
     this.listeners.add(listener);
   }
 
-  /** Of another run or robot; where it takes another time, all of it is shown. */
+  /** Starts with another run or robot; if its time differs, all of it is shown. */
   begin(whole_s: number): void {
     const same = whole_s === this.whole_s;
     this.whole_s = whole_s;
@@ -32,14 +32,14 @@ export class TimeWindow {
     this.set(0, this.whole_s);
   }
 
-  /** Shows as much as can be of it, with the span kept. */
+  /** Shows as much of it as possible, and keeps the span. */
   set(start_s: number, end_s: number): void {
     const span_s = Math.min(Math.max(end_s - start_s, Math.min(LEAST_S, this.whole_s)), this.whole_s);
     const from_s = Math.min(Math.max(start_s, 0), this.whole_s - span_s);
     if (from_s !== this.start_s || from_s + span_s !== this.end_s) this.put(from_s, from_s + span_s);
   }
 
-  /** A factor below 1 shows less; what is at `about_s` stays where it is. */
+  /** Zooms; a factor below 1 shows less, and `about_s` keeps its position. */
   zoom(about_s: number, factor: number): void {
     const start_s = about_s - (about_s - this.start_s) * factor;
     this.set(start_s, start_s + this.span_s * factor);
@@ -49,7 +49,7 @@ export class TimeWindow {
     this.set(this.start_s + by_s, this.end_s + by_s);
   }
 
-  /** Brings an instant into view, a tenth from the edge that it is beyond. */
+  /** Brings an instant into view, at a tenth from the edge that it is beyond. */
   show(t_s: number): void {
     const margin_s = this.span_s / 10;
     if (t_s < this.start_s) this.pan(t_s - this.end_s + margin_s);
@@ -63,7 +63,7 @@ export class TimeWindow {
   }
 }
 
-/** "Round" instants in a stretch of time, about `count` of them. */
+/** Returns "round" instants in a stretch of time, about `count` of them. */
 export function ticks(start_s: number, end_s: number, count: number): { at_s: number[]; digits: number } {
   const rough_s = (end_s - start_s) / Math.max(count, 1);
   if (!(rough_s > 0)) return { at_s: [], digits: 0 };

@@ -1,4 +1,4 @@
-// Which bodies have met by an instant, and which come near to each other in the line under way.
+// Bodies that have collided by an instant, and those that come near to each other in the current line.
 
 import { Vector3 } from "three";
 import { matrixOf } from "../run/chain";
@@ -11,7 +11,7 @@ const MOST_MARKS = 8;
 
 const reportsOf = (run: Run | null): Report[] => (run?.report ? [run.report, ...(run.report.robots ?? [])] : []);
 
-/** Points of a robot's report are in its machine's own world: where they are in that of all. */
+/** Returns points in the world of all robots; in a robot's report they are in its machine's own world. */
 function pointsOfRobots(run: Run | null): Map<Collision | Clearance, Vector3> {
   const points = new Map<Collision | Clearance, Vector3>();
   run?.report?.robots?.forEach((report, i) => {
@@ -42,7 +42,7 @@ export class Alarms {
     }
   }
 
-  /** How a body is lit at a time, while lines are under way; null: none is. */
+  /** Returns the highlight of bodies at a time, during the given lines; null: none. */
   at(t_s: number, lines: Place[]): ((name: string) => Role | undefined) | null {
     this.goTo(t_s);
     const near = new Set(this.nearBy(lines).flatMap(({ pair }) => pair));
@@ -62,7 +62,7 @@ export class Alarms {
     this.met = new Set(this.collisions.slice(0, count).flatMap(({ pair }) => pair));
   }
 
-  /** Where bodies have met last, and where they come near. */
+  /** Returns labels at the last collisions, and at near passes. */
   labels(lines: Place[]): Label[] {
     const met = this.collisions.slice(Math.max(0, this.metCount - MOST_MARKS), this.metCount);
     const mark = (kind: string) => (place: Collision | Clearance) => {

@@ -1,4 +1,5 @@
-// The view of a run beside the one that is shown: a half of the room each, one clock, and eyes that move together.
+// View of a comparison run next to the shown one: half of the area each, one clock, and cameras that move
+// together.
 
 import "./beside.css";
 import { Matrix4, Vector3 } from "three";
@@ -20,7 +21,7 @@ const common = [
 
 type Selection = State["selection"];
 
-/** A block of one machine's run as the other's has it: that of the same line, at the same pass over it. */
+/** Converts a block of one machine's run to that of the other: same line, same pass over it. */
 function selectionIn(selection: Selection, from: Robot | undefined, to: Robot | undefined): Selection {
   if (!selection || selection.block < 0) return selection;
   const { file, line } = selection;
@@ -28,7 +29,10 @@ function selectionIn(selection: Selection, from: Robot | undefined, to: Robot | 
   return { file, line, block: to?.blocks.ofLine(to.files.indexOf(file), line)[pass] ?? -1 };
 }
 
-/** While both are seen a change of one store is one of the other: what is the same there is told to nobody, so that this ends. */
+/**
+ * Copies changes between both stores while both views are visible. Equal values notify no listener, so this
+ * ends.
+ */
 class Joined {
   private passing = false;
 
@@ -43,7 +47,7 @@ class Joined {
     }
   }
 
-  /** The other one is as the main one is. */
+  /** Copies the state of the main one to the other. */
   begin(): void {
     for (const key of common) this.pass(key, this.main, this.other);
     this.select(this.main, this.other);
@@ -62,10 +66,10 @@ class Joined {
   }
 }
 
-/** Where the work stands in the world: both eyes look at their own. */
+/** Returns the position of the work in the world: each camera looks at its own. */
 const workOf = (view: View): Vector3 => new Vector3().setFromMatrixPosition(view.shown?.work ?? new Matrix4());
 
-/** Neither eye moves without the other while both are seen. */
+/** Both cameras, which move only together while both views are visible. */
 class Eyes {
   private passing = false;
 
@@ -78,7 +82,7 @@ class Eyes {
     other.watchers.add(() => this.pass(other, one));
   }
 
-  /** What happens to one of them meanwhile is not passed on. */
+  /** Runs `act` without passing on changes of one camera. */
   still(act: () => void): void {
     this.passing = true;
     act();
@@ -94,7 +98,7 @@ class Eyes {
   }
 }
 
-/** The other view goes without what leads on from the one. */
+/** The other view has none of the parts that lead on from the main one. */
 const alone: ViewParts = { createHolds: noHolds, createHeadset: noHeadset, createBeside: noBeside };
 
 class BesideView {
@@ -123,7 +127,7 @@ class BesideView {
     requestAnimationFrame(() => requestAnimationFrame(() => view.fit(false)));
   }
 
-  /** Not before it is asked for: a second picture takes a second part of the graphics card. */
+  /** Created on first use: a second picture takes more of the graphics card. */
   private make(): { stores: Joined; eyes: Eyes } | null {
     const { view, store, session, frames } = this.place;
     const second = createView(this.half, this.store, session, frames, alone);

@@ -1,4 +1,4 @@
-// Where a second run on the same clock finds room; a page to look at a finished run in has nothing of the kind.
+// Place of a second run on the same clock; a page that only shows a finished run has none.
 
 import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";

@@ -1,5 +1,5 @@
-// The handle of a body, or of whatever somebody asks for in the store: arrows move it, rings turn it, along and about the axes
-// of the frame that it is attached to.
+// Handle of a body, or of any object requested in the store: arrows move it, rings rotate it, along and about
+// the axes of its parent frame.
 
 import { Matrix4, Scene, Vector2, Vector3, type WebGLRenderer } from "three";
 import type { Handle as Held } from "../core/store";
@@ -13,7 +13,7 @@ export class BodyHand implements Hold {
   private readonly scene = new Scene();
   private readonly handle = new Handle();
   private grip: Grip | null = null;
-  /** Where it is while it is pulled. */
+  /** Pose during a drag. */
   private pulled: Matrix4 | null = null;
 
   constructor(private readonly on: HoldPlace) {
@@ -41,7 +41,7 @@ export class BodyHand implements Hold {
     return { work, at, rig, width_px: size.width_px, height_px: size.height_px };
   }
 
-  /** Bodies are where the handle is, also before a run has them there. */
+  /** Shows bodies at the handle, even before a run has them there. */
   private carry(): void {
     const { shown } = this;
     const { stage, store } = this.on;
@@ -70,7 +70,7 @@ export class BodyHand implements Hold {
     return grip ? "grab" : "";
   }
 
-  /** Takes hold of the handle, where it is under the pointer; what is pulled is seen at once, and told when it is let go. */
+  /** Grabs the handle if it is under the pointer; a drag is shown at once, and reported on release. */
   grab(x_px: number, y_px: number): Grabbed | null {
     const { shown } = this;
     const stand = this.stand();

@@ -1,4 +1,4 @@
-// The eye: it goes round a target on a sphere; Z of the world is up on the screen.
+// Camera: it orbits a target on a sphere; Z of the world is up on the screen.
 
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 
@@ -35,7 +35,7 @@ export class CameraRig {
     return this.perspective ? this.near : this.flat;
   }
 
-  /** Towards the eye; to the right and upwards on the screen. */
+  /** Returns the axes towards the camera, to the right and upwards on the screen. */
   basis(): { back: Vector3; right: Vector3; up: Vector3 } {
     const [ca, sa] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
     const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
@@ -48,7 +48,7 @@ export class CameraRig {
     return (2 * this.distance_mm * Math.tan(HALF_FOV)) / this.height_px;
   }
 
-  /** Size of a pixel at a place, mm. */
+  /** Returns the size of a pixel at a position, mm. */
   mmPerPixelAt(place: Vector3): number {
     if (!this.perspective) return this.mmPerPixel;
     const depth = this.distance_mm - place.clone().sub(this.target).dot(this.basis().back);
@@ -82,7 +82,7 @@ export class CameraRig {
     camera.updateMatrixWorld();
   }
 
-  /** From the same side and as far away as another eye, beside what that looks at. */
+  /** Copies direction and distance of another camera, with a target shifted by `beside`. */
   lookAs(other: CameraRig, beside: Vector3): void {
     this.target.copy(other.target).add(beside);
     this.azimuth = other.azimuth;
@@ -102,7 +102,10 @@ export class CameraRig {
     this.target.addScaledVector(right, -dx_px * scale).addScaledVector(up, dy_px * scale);
   }
 
-  /** Nearer for a factor below 1; what is under the place on the screen (px from the middle) stays there. */
+  /**
+   * Zooms, nearer for a factor below 1; the point under the position on the screen (px from the middle) stays
+   * there.
+   */
   zoom(factor: number, x_px = 0, y_px = 0): void {
     const to = Math.min(Math.max(this.distance_mm * factor, NEAREST_MM), FARTHEST_MM);
     const share = 1 - to / this.distance_mm;
@@ -116,7 +119,7 @@ export class CameraRig {
     [this.azimuth, this.elevation] = stands[name];
   }
 
-  /** The target in the middle of a box that just fits on the screen. */
+  /** Targets the middle of a box, so that it just fits on the screen. */
   fit(box: Box3): void {
     if (box.isEmpty()) return;
     box.getCenter(this.target);
@@ -137,7 +140,7 @@ export class CameraRig {
     this.distance_mm = 1.15 * distance;
   }
 
-  /** Pixels from the left and from above; null: behind the eye. */
+  /** Returns pixels from the left and from above; null: not in front of the camera. */
   project(place: Vector3): { x: number; y: number } | null {
     const at = place.clone().applyMatrix4(this.camera.matrixWorldInverse);
     if (this.perspective && at.z > -this.near.near) return null;

@@ -1,4 +1,4 @@
-// The picture's canvas: its renderer, its size, and what becomes of it when the graphics card drops it.
+// Canvas of the picture: its renderer, its size, and the recovery after the graphics card drops it.
 
 import { WebGLRenderer } from "three";
 
@@ -10,7 +10,9 @@ export interface CanvasEvents {
 
 const MOST_RATIO = 2;
 
-/** Whether a processor does the work of a graphics card: smooth edges of bodies would cost half of its time. */
+/**
+ * True if a processor does the work of a graphics card: smooth edges of bodies would cost half of its time.
+ */
 function isSoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   const known = gl?.getExtension("WEBGL_debug_renderer_info");
@@ -60,12 +62,12 @@ export class Canvas {
     return this.renderer.getPixelRatio();
   }
 
-  /** Size of the picture in pixels of the screen. */
+  /** Returns the size of the picture in pixels of the screen. */
   get drawn(): { width_px: number; height_px: number } {
     return { width_px: this.element.width, height_px: this.element.height };
   }
 
-  /** As large as the page has it; not while the renderer is lent to a headset. */
+  /** Fits the size to the page; not while the renderer is lent to a headset. */
   fill(): void {
     if (this.renderer.xr.isPresenting) return;
     this.width_px = Math.max(this.host.clientWidth, 1);
@@ -74,7 +76,7 @@ export class Canvas {
     this.renderer.setSize(this.width_px, this.height_px);
   }
 
-  /** Waits until all that was asked for is drawn. */
+  /** Waits until all requests are drawn. */
   finish(): void {
     this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
   }

@@ -1,4 +1,4 @@
-// Of lines and blocks: which vertices of the ways they are.
+// Vertices of the paths for given lines and blocks.
 
 import type { State } from "../core/store";
 import type { Robot, Run } from "../run/run";
@@ -6,14 +6,14 @@ import type { PathData } from "./path/path_data";
 
 export type Range = [number, number];
 
-// A line in a long loop has more blocks than can be told apart.
+// A line in a long loop has more blocks than can be distinguished.
 const MOST_RANGES = 500;
 
 export function rangeOfBlock({ blocks }: Robot, data: PathData, block: number): Range {
   return data.rangeOf(blocks.first(block), blocks.end(block));
 }
 
-/** Of the selection, for one robot; a block by number is one of the robot that is shown. */
+/** Returns the ranges of the selection, for one robot; a block by number belongs to the shown robot. */
 export function chosenRanges(run: Run, robot: number, data: PathData, state: Pick<State, "selection" | "robot">): Range[] {
   const { selection } = state;
   if (!selection) return [];
@@ -28,7 +28,7 @@ export function chosenRanges(run: Run, robot: number, data: PathData, state: Pic
   );
 }
 
-/** All of a few, of many about so many at even steps. */
+/** Returns all values if few, else about so many at even steps. */
 function someOf(all: Iterable<number>[]): number[] {
   let some: number[] = [];
   let [step, count] = [1, 0];

@@ -1,11 +1,11 @@
-// The reach of the tool is asked of the engine when it is to be shown, and anew where it may be another one.
+// Requests the reach of the tool from the engine when it is to be shown, and again if it may have changed.
 
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 import type { View } from "./view";
 
-/** `say` says something to who looks; empty: nothing any more. */
+/** `say` shows a message to the user; empty: clears it. */
 export function watchEnvelope(store: Store, session: Session, view: View, say: (text: string) => void): void {
   const { envelope } = view.stage;
   let asked = 0;
@@ -17,7 +17,7 @@ export function watchEnvelope(store: Store, session: Session, view: View, say: (
     view.invalidate();
     if (!store.get("showEnvelope")) return;
     const bytes = await session.envelope();
-    // Of an earlier machine, or not to be shown any more.
+    // The result is of an earlier machine, or not to be shown any more.
     if (own !== asked) return;
     say(bytes ? "" : texts.view.noEnvelope);
     if (!bytes) return;

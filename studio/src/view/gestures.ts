@@ -1,6 +1,6 @@
-// Mouse, pen and fingers: one turns, two or the right button shift, the wheel or a pinch zooms.
+// Gestures of mouse, pen and fingers: one rotates, two or the right button pan, the wheel or a pinch zooms.
 
-/** Something that the pointer holds until it is let go. */
+/** Object that the pointer holds until release. */
 export interface Grabbed {
   drag(x_px: number, y_px: number): void;
   drop(): void;
@@ -8,13 +8,15 @@ export interface Grabbed {
 }
 
 export interface Gestures {
-  /** Pressed at a place, px from the left and from above; null: there is nothing to hold. */
+  /**
+   * Called on a press at a position, px from the left and from above; returns null if nothing can be grabbed.
+   */
   grab(x_px: number, y_px: number): Grabbed | null;
   orbit(dx_px: number, dy_px: number): void;
   pan(dx_px: number, dy_px: number): void;
-  /** About a place, px from the middle. */
+  /** Zooms about a position, px from the middle. */
   zoom(factor: number, x_px: number, y_px: number): void;
-  /** Pressed and let go at one place, px from the left and from above. */
+  /** Called on press and release at one position, px from the left and from above. */
   click(x_px: number, y_px: number): void;
   hover(x_px: number, y_px: number): void;
   leave(): void;

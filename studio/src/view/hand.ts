@@ -1,4 +1,4 @@
-// What the pointer does on the picture: turns the eye, chooses blocks, measures.
+// Actions of the pointer on the picture: it rotates the camera, selects blocks, measures.
 
 import { Debounced } from "../core/debounced";
 import type { Store } from "../core/store";
@@ -14,7 +14,7 @@ import type { View } from "./view";
 const REACH_PX = 4;
 const HOVER_MS = 40;
 
-/** The first answer that is one. */
+/** Returns the first result that is defined. */
 function firstOf<A>(holds: Hold[], ask: (hold: Hold) => A): A | undefined {
   for (const hold of holds) {
     const answer = ask(hold);

@@ -1,4 +1,4 @@
-// What there is to take hold of where a run can be changed: points of the path by hand, and bodies.
+// Handles for pages that can change a run: points of the manual path, and bodies.
 
 import { BodyHand } from "./body_hand";
 import { PathHand } from "./hand_path/path_hand";

@@ -1,4 +1,4 @@
-// What leads out of the page into a headset; a page to look at a finished run in has nothing of the kind.
+// Entry from the page into a headset; a page that only shows a finished run has none.
 
 import type { Frames } from "../core/frames";
 import type { Store } from "../core/store";

@@ -1,4 +1,4 @@
-// What a person takes hold of in the picture, or chooses there; a page to look at a finished run in has nothing of the kind.
+// Objects of the picture that can be grabbed or selected; a page that only shows a finished run has none.
 
 import type { Box3, Matrix4, WebGLRenderer } from "three";
 import type { Session } from "../core/session";
@@ -8,47 +8,49 @@ import type { Grabbed } from "./gestures";
 import type { Stage } from "./stage";
 import type { Palette } from "./theme";
 
-/** Of the picture, in pixels of the page. */
+/** Size of the picture, in pixels of the page. */
 export interface Size {
   width_px: number;
   height_px: number;
 }
 
-/** Places are px from the left and from above; `work` is the frame of the work that is shown. */
+/**
+ * Object that can be grabbed. Positions are px from the left and from above; `work` is the shown work frame.
+ */
 export interface Hold {
   recolour(colours: Palette): void;
-  /** What has to be seen of it, in the world. */
+  /** Returns the box of it that must be visible, in the world. */
   box?(work: Matrix4): Box3;
-  /** Draws above what has been drawn. */
+  /** Draws over the previous contents. */
   draw(renderer: WebGLRenderer, work: Matrix4): void;
-  /** The eye rests: marks are laid for what it sees. */
+  /** Called at standstill of the camera: updates marks for the view. */
   lay?(): void;
-  /** What the pointer would do there. */
+  /** Returns the action of the pointer there. */
   hover(x_px: number, y_px: number): "grab" | "pointer" | "";
-  /** null: there is nothing to hold. */
+  /** Returns null if nothing can be grabbed. */
   grab(x_px: number, y_px: number): Grabbed | null;
   /** Whether something was chosen there. */
   click?(x_px: number, y_px: number): boolean;
-  /** Puts back what is pulled; whether something was. */
+  /** Reverts a drag; returns true if one was active. */
   escape(): boolean;
 }
 
-/** Where holds are, and whom they tell. */
+/** Environment of holds, and their callbacks. */
 export interface HoldPlace {
   store: Store;
   session: Session;
   stage: Stage;
   rig: CameraRig;
   size: Size;
-  /** Something is to be drawn anew. */
+  /** Requests a redraw. */
   changed(): void;
-  /** As changed(), and points stand elsewhere on the screen. */
+  /** As changed(), and points have moved on the screen. */
   moved(): void;
-  /** Another path is shown, and not all of it is seen. */
+  /** Called if another path is shown, and is not fully visible. */
   outOfSight(): void;
 }
 
-/** Those in front are asked first. */
+/** Creates the holds; those in front are queried first. */
 export type CreateHolds = (place: HoldPlace) => Hold[];
 
 export const noHolds: CreateHolds = () => [];

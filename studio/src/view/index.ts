@@ -1,4 +1,4 @@
-// The view of a run: machine, path, and what one does with them.
+// View of a run: machine, path, and the actions on them.
 
 import "./view.css";
 import { element } from "../core/dom";
@@ -18,7 +18,7 @@ import { createToolbar, keysOf, listenToKeys, type Actions } from "./toolbar";
 import { View } from "./view";
 import { watchEnvelope } from "./envelope_shown";
 
-/** What not every page has in its view. */
+/** Parts of the view that not every page has. */
 export interface ViewParts {
   createHolds: CreateHolds;
   createHeadset: CreateHeadset;
@@ -31,15 +31,15 @@ export interface ViewHandle {
   fit(all?: boolean): void;
   stand(name: Stand): void;
   orbit(dx_px: number, dy_px: number): void;
-  /** How long a frame takes until it is drawn, ms. */
+  /** Returns the time until a frame is drawn, ms. */
   frame_ms(kind: "rest" | "orbit" | "empty"): number;
-  /** Whether the whole way is in the kept picture. */
+  /** True if the complete path is in the kept picture. */
   complete(): boolean;
-  /** Where a point of the work (mm, of the robot that is chosen) is in the window, in pixels. */
+  /** Returns the position of a point of the work (mm, of the chosen robot) in the window, in pixels. */
   screen_of(point_mm: [number, number, number]): [number, number];
 }
 
-/** null: there is no WebGL 2, and a sentence says so. */
+/** Returns null if WebGL 2 is missing, after showing a message. */
 export function createView(host: HTMLElement, store: Store, session: Session, frames: Frames, parts: ViewParts): ViewHandle | null {
   const surface = element("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
   const hint = element("div", { class: "hint", role: "status" });
@@ -67,7 +67,7 @@ export function createView(host: HTMLElement, store: Store, session: Session, fr
   host.append(view.legend.element, view.triad.element, hint);
   listenToGestures(surface, hand);
   listenToKeys(surface, keysOf(store, act));
-  // Its Escape is the surface's.
+  // The surface handles Escape while measuring.
   store.on("measuring", (isOn) => isOn && surface.focus({ preventScroll: true }));
   view.resized();
   void parts.createHeadset({ view, store, frames, toolbar });

@@ -1,4 +1,4 @@
-// What is shown: a list of switches behind a button.
+// Visible layers: a list of switches under a button.
 
 import { check, element } from "../core/dom";
 import type { State, Store } from "../core/store";
@@ -9,7 +9,7 @@ type Shown = "showRapids" | "showDirections" | "showZones" | "showEnvelope" | "c
 /** Of this view alone. */
 export interface OwnLayers {
   machine: boolean;
-  /** Objects of the cell: what is cut, and what stands around. */
+  /** Objects of the cell: the workpiece, and its surroundings. */
   cell: boolean;
   grid: boolean;
   extents: boolean;

@@ -1,4 +1,4 @@
-// By what the way is coloured, and what the colours mean.
+// Colour mode of the path, and the meaning of the colours.
 
 import { scaleColour } from "../core/colours";
 import { choice, element } from "../core/dom";

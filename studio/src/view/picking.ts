@@ -1,4 +1,4 @@
-// From a place on the screen to the way, the machine or the work plane there.
+// Finds the path, the machine or the work plane at a position on the screen.
 
 import { type Intersection, Matrix4, type Object3D, Plane, Raycaster, Vector2, Vector3 } from "three";
 import type { CameraRig } from "./camera";
@@ -10,14 +10,14 @@ import type { Stage } from "./stage";
 const SNAP_PX = 8;
 const HALVINGS = 24;
 
-/** How far along a piece a place is, 0 to 1. */
+/** Returns the position along a part, 0 to 1. */
 export function shareOf(a: Vector3, b: Vector3, place: Vector3): number {
   const way = b.clone().sub(a);
   const square = way.lengthSq();
   return square > 0 ? Math.min(Math.max(place.clone().sub(a).dot(way) / square, 0), 1) : 0;
 }
 
-/** The piece that ends at a vertex, and how far along it a hit is. */
+/** Returns the part that ends at a vertex, and the position of a hit along it. */
 export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: Vector3; share: number } {
   const from_s = data.time_s(vertex - 1);
   const to_s = data.time_s(vertex);
@@ -26,8 +26,8 @@ export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: 
 }
 
 /**
- * When the tool is at a hit: pieces are drawn evenly in time, but the tool speeds up and slows down in them. Where its
- * joints are not here it is as drawn.
+ * Returns the time at which the tool is at a hit: parts are drawn evenly in time, but the tool accelerates
+ * and decelerates in them. If its joints are not loaded, returns the drawn time.
  */
 export function timeOf(data: PathData, hit: Hit, machine: Machine): number {
   const { a, b, share } = pieceOf(data, hit);
@@ -42,7 +42,7 @@ export function timeOf(data: PathData, hit: Hit, machine: Machine): number {
   return to_s;
 }
 
-/** The ends of a piece at which a segment ends too; the others are there for an arc to look round. */
+/** Returns the ends of a part that are also ends of a segment; the others only make an arc look round. */
 function endsOf(data: PathData, vertex: number): Vector3[] {
   const segment = data.segmentOf(vertex);
   const ends: Vector3[] = [];
@@ -66,17 +66,20 @@ function isSeen(object: Object3D): boolean {
   return object.visible && (object.parent === null || isSeen(object.parent));
 }
 
-/** What of machines and cells that is shown a ray meets first. */
+/** Returns the first visible body of machines and cells on a ray. */
 function firstBody(ray: Raycaster, stage: Stage): Intersection | undefined {
   return ray.intersectObject(stage.machinery, true).find(({ object }) => isSeen(object));
 }
 
-/** The name of the body at a place; null: there is none, or it has no name. */
+/** Returns the name of the body at a position; null: no body, or it has no name. */
 export function bodyAt(x_px: number, y_px: number, size: Size, stage: Stage, rig: CameraRig): string | null {
   return firstBody(rayAt(x_px, y_px, size, rig), stage)?.object.name || null;
 }
 
-/** A place to measure from, in a work frame: on the way (ends of segments attract), on a body, or on the work plane. */
+/**
+ * Returns a position to measure from, in a work frame: on the path (ends of segments attract), on a body, or
+ * on the work plane.
+ */
 export function placeAt(
   x_px: number,
   y_px: number,
@@ -105,7 +108,10 @@ export function placeAt(
   return place && place.applyMatrix4(toFrame);
 }
 
-/** Up to what vertex time a way is done: the drawn piece under way is cut where the tool is. */
+/**
+ * Returns the vertex time up to which a path is done: the current drawn part is cut at the position of the
+ * tool.
+ */
 export function doneUpTo(data: PathData, t_s: number, tipInWork: Vector3): number {
   const vertex = data.at(t_s);
   if (vertex <= 0) return -1;

@@ -1,4 +1,4 @@
-// All that stands in the scene of a run beside the ways themselves.
+// Scene of a run, except the paths themselves.
 
 import { AmbientLight, Box3, DirectionalLight, Group, Matrix4, Scene, Vector3 } from "three";
 import type { Units } from "../core/store";
@@ -21,7 +21,7 @@ import type { Palette } from "./theme";
 
 const EMPTY = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100, 0));
 
-/** A way that is shorter, as of a run that ended before it began, is nothing to look at. */
+/** A shorter path, as of a run that ended before it began, is not worth showing. */
 const LEAST_WORK_MM = 1;
 
 export class Stage {
@@ -49,7 +49,7 @@ export class Stage {
     this.grid.lay(EMPTY, "mm");
   }
 
-  /** The ways of a run's robots; made once for each. */
+  /** Returns the paths of a run's robots; made once for each. */
   pathsOf(run: Run | null): PathData[] {
     return (run?.robots ?? []).map((robot) => {
       const path = this.known.get(robot) ?? new PathData(robot.segments);
@@ -77,14 +77,14 @@ export class Stage {
     this.grid.lay(box.isEmpty() ? EMPTY : box, units);
   }
 
-  /** Of a robot's way in its work frame, without rapid moves where there are others. */
+  /** Returns the box of a robot's path in its work frame, without rapid moves if others exist. */
   pathBox(robot: number): Box3 {
     const path = this.paths[robot];
     if (!path) return new Box3();
     return path.cutBounds.isEmpty() ? path.bounds : path.cutBounds;
   }
 
-  /** What is to be seen when all of the work is, in the world. */
+  /** Returns the box to show for a view of the complete work, in the world. */
   workBox(works: Matrix4[]): Box3 {
     const box = new Box3();
     works.forEach((work, i) => {
@@ -100,30 +100,30 @@ export class Stage {
     return box.isEmpty() ? EMPTY.clone() : box;
   }
 
-  /** Puts everything where it is at an instant; `frame` is the work frame in which marks stand. */
+  /** Places everything for an instant; `frame` is the work frame of the marks. */
   place(instants: Instant[], frame: Matrix4): void {
     this.machines.forEach((machine, i) => machine.place(instants[i]));
     for (const part of [this.grid.group, this.extents.lines, this.measure.lines]) part.matrix.copy(frame);
     this.directions.place(instants.map(({ places }) => places.work));
   }
 
-  /** Machines alone, what stands in their cells alone, both, or neither. */
+  /** Shows only machines, only the contents of their cells, both, or neither. */
   show(of: { machine: boolean; cell: boolean }): void {
     for (const machine of this.machines) machine.show(of);
   }
 
-  /** Where tips are by their ways, while the joints are not here. */
+  /** Marks TCPs on their paths, while the joints are not loaded. */
   markTips({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
     this.lateTips.put(instants.flatMap(({ isLate, tip_mm }) => (isLate ? tip_mm : [])), mmPerPixelAt);
   }
 
-  /** Bodies that have met by now, or come near in the lines under way, look so. */
+  /** Highlights bodies that have collided by now, or come near in the current lines. */
   light(t_s: number, lines: Place[]): void {
     const look = this.alarms.at(t_s, lines) ?? (() => undefined);
     for (const machine of this.machines) machine.bodies.light(look);
   }
 
-  /** The lamp goes with the eye. */
+  /** Moves the lamp with the camera. */
   follow(rig: Pick<CameraRig, "basis">): void {
     const { back, right, up } = rig.basis();
     this.lamp.position.copy(back).addScaledVector(up, 0.6).addScaledVector(right, -0.4).multiplyScalar(1000);

@@ -1,4 +1,4 @@
-// Colours of what is drawn beside the way, for a light page and a dark one.
+// Colours of objects other than the path, for a light page and a dark one.
 
 import { Color, SRGBColorSpace } from "three";
 import { blue, orange, purple, sky, vermilion, yellow } from "../core/colours";
@@ -55,7 +55,7 @@ export function palette(): Palette {
   };
 }
 
-/** As shaders of our own take it. */
+/** Returns the colour for the project's own shaders. */
 export function rgbOf(colour: Color): number[] {
   const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
   return [r, g, b];

@@ -1,4 +1,4 @@
-// Buttons of the view, and the keys that do the same while the view has the focus.
+// Buttons of the view, and keys with the same actions while the view has the focus.
 
 import { element } from "../core/dom";
 import type { State, Store } from "../core/store";
@@ -12,7 +12,7 @@ export interface Actions {
   orbit(dx_px: number, dy_px: number): void;
   pan(dx_px: number, dy_px: number): void;
   zoom(factor: number): void;
-  /** Ends what is under way. */
+  /** Ends the current action. */
   escape(): void;
 }
 
@@ -53,7 +53,7 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
 
 const STEP_PX = 30;
 
-/** Keys by KeyboardEvent.key, letters small; a "+" before it: with Shift. */
+/** Returns keys by KeyboardEvent.key, letters small; a "+" before it: with Shift. */
 export function keysOf(store: Store, act: Actions): Record<string, () => void> {
   return {
     1: () => act.stand("top"),

@@ -1,4 +1,4 @@
-// What the way is under the pointer.
+// Data of the path under the pointer.
 
 import { element } from "../core/dom";
 import { baseName } from "../core/kinds";
@@ -11,7 +11,7 @@ import { texts } from "../texts";
 export class Tooltip {
   readonly element = element("div", { class: "tip", role: "status", hidden: true });
 
-  /** `kind` is the move's, which is known before all of it is here. */
+  /** `kind` is that of the move, which is known before all of it is loaded. */
   show(robot: Robot, segment: number, kind: MoveKind, units: Units, x_px: number, y_px: number): void {
     const { segments } = robot;
     const info = segments.info(segment);

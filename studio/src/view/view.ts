@@ -1,4 +1,4 @@
-// The view: draws a frame when something has changed, and sleeps else.
+// View: draws a frame when something has changed, and sleeps otherwise.
 
 import { Box3, Matrix4, Scene, Vector3 } from "three";
 import { Debounced } from "../core/debounced";
@@ -39,15 +39,15 @@ export class View {
   private chosen: Range[][] = [];
   private frame: Frame | null = null;
   private asked = 0;
-  /** A headset draws, and the page's picture rests. */
+  /** True while a headset draws, and the page's picture is paused. */
   private lent = false;
-  /** Told of each move of the eye. */
+  /** Called for each move of the camera. */
   readonly watchers = new Set<() => void>();
   private readonly resting = new Debounced(() => this.layDirections());
   private tip: Vector3 | null = null;
-  /** A run that is under way, of which a part is shown. */
+  /** Run in progress that is partly shown. */
   private taken: Run | null = null;
-  /** Diagonal of the work when it was fitted. */
+  /** Diagonal of the work at the last fit. */
   private fittedSize_mm = 0;
 
   constructor(
@@ -88,7 +88,7 @@ export class View {
     });
   }
 
-  /** The eye has moved; when it rests, marks are laid for what it sees. */
+  /** Called after a move of the camera; at standstill, marks are updated for the view. */
   turned(): void {
     this.resting.after(REST_MS);
     this.invalidate();
@@ -103,12 +103,12 @@ export class View {
     this.resting.after(REST_MS);
   }
 
-  /** From now on the renderer and the scene are another picture's, until takeBack(). */
+  /** Lends renderer and scene to another picture, until takeBack(). */
   lend(): void {
     this.lent = true;
   }
 
-  /** The page's picture is drawn as if nothing had been. */
+  /** Draws the page's picture as before. */
   takeBack(): void {
     this.lent = false;
     this.canvas.fill();
@@ -131,7 +131,7 @@ export class View {
     this.invalidate();
   }
 
-  /** Of a long run what there is of it is shown before its end. */
+  /** Returns the shown run; a long one is shown before its end, as far as it is loaded. */
   private get run() {
     return this.store.get("growing")?.run ?? this.store.get("run");
   }
@@ -151,7 +151,7 @@ export class View {
     this.turned();
   }
 
-  /** There is more of the run that is shown. */
+  /** Adds new data of the shown run. */
   private grow(): void {
     for (const path of this.stage.paths) path.grow();
     const key = this.key();
@@ -191,7 +191,7 @@ export class View {
     this.invalidate();
   }
 
-  /** A selection beside the screen comes to its middle. */
+  /** Centres a selection that is outside the screen. */
   private bringToSight(): void {
     const robot = this.chosen.findIndex((ranges) => ranges.length > 0);
     if (robot < 0 || !this.frame) return;
@@ -206,7 +206,7 @@ export class View {
     this.turned();
   }
 
-  /** Whether the work is on the screen, and about as large as what was fitted last. */
+  /** True if the work is on the screen, and about as large as at the last fit. */
   private seesWork(): boolean {
     const box = this.stage.workBox(this.works());
     const growth = box.getSize(new Vector3()).length() / this.fittedSize_mm;
@@ -219,7 +219,7 @@ export class View {
     return this.frame?.instants.map(({ places }) => places.work) ?? [];
   }
 
-  /** Shows the whole way; `all`: the machine too. */
+  /** Shows the complete path; `all`: also the machine. */
   fit(all: boolean): void {
     this.survey();
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
@@ -244,7 +244,7 @@ export class View {
     this.fit(false);
   }
 
-  /** Puts all where it is at the instant that is shown. */
+  /** Places everything for the shown instant. */
   private place(): Frame {
     const t_s = this.taken ? 0 : this.store.get("time_s");
     const robot = this.store.get("robot");
@@ -259,7 +259,7 @@ export class View {
     return this.frame;
   }
 
-  /** As place(), and the eye knows how far there is something to be seen. */
+  /** As place(), and sets the depth range of the camera. */
   private survey(): void {
     this.place();
     const { stage } = this;
@@ -296,7 +296,7 @@ export class View {
     const seen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
     const theme = isDark() ? "dark" : "light";
     const end_s = this.run?.end_s ?? 0;
-    // Before it begins and behind its end the way is shown as it is, and where joints are moved by hand.
+    // Before the start and after the end the path is shown undimmed, and also while joints are moved by hand.
     const whole = this.taken !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
     return {
       ...this.canvas.drawn,
@@ -314,7 +314,7 @@ export class View {
     };
   }
 
-  /** Puts all where it is at the instant that is shown, and tells how the ways look then. */
+  /** Places everything for the shown instant, and returns the look of the paths. */
   arrange(): Look {
     return this.look(this.update());
   }
@@ -332,7 +332,7 @@ export class View {
     renderer.setRenderTarget(null);
     renderer.clear();
     renderer.render(this.stage.scene, this.rig.camera);
-    // What is dimmed lets through what is behind it, so that comes first.
+    // Dimmed parts show the background, so that is drawn first.
     this.layer.compose(look);
     this.drawAccents(frame, look);
     for (const hold of this.holds) hold.draw(renderer, frame.work);
@@ -372,7 +372,7 @@ export class View {
     stage.directions.lay(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
   }
 
-  /** What of the ways is at a place, px from the left and from above. */
+  /** Returns the path at a position, px from the left and from above. */
   hit(x_px: number, y_px: number, reach_px: number): Hit | null {
     if (this.taken) return null; // its instants and lines are not shown yet
     const { width_px, height_px, pixelRatio } = this.canvas;
@@ -383,7 +383,9 @@ export class View {
     return this.frame;
   }
 
-  /** How long a frame takes until it is drawn: at rest, while the eye turns, or of nothing at all. */
+  /**
+   * Returns the time until a frame is drawn: at standstill, while the camera orbits, or for an empty frame.
+   */
   frame_ms(kind: "rest" | "orbit" | "empty"): number {
     const begun_ms = performance.now();
     if (kind === "empty") {

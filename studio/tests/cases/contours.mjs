@@ -22,7 +22,7 @@ async function openDialog(page, kind = "holes") {
 
 const saysCut = (dialog, cut, all) => dialog.getByRole("status").filter({ hasText: `${cut} of ${all} contours are cut.` }).waitFor();
 
-/** Moves the pointer over the picture, row by row, until it is on a contour; where that is. */
+/** Moves the pointer over the picture, row by row, until it is on a contour; returns that position. */
 async function pointAtContour(page, dialog) {
   const { x, y, width, height } = await dialog.locator("canvas").boundingBox();
   for (let down = height / 2; down < height; down += 12) {
@@ -40,7 +40,10 @@ const withBracket = (places, test) => {
   return withServed(places, { "part.nc": PART, "bracket.step": step }, test);
 };
 
-/** Holds back the engine's answers about contours until go() is called; asked() waits until so many were asked for. */
+/**
+ * Delays the engine's responses about contours until go() is called; asked() waits until so many were
+ * requested.
+ */
 async function holdContours(page) {
   const held = { count: 0 };
   const gate = new Promise((go) => (held.go = go));
@@ -77,7 +80,7 @@ export default {
       await dialog.getByRole("button", { name: "Make path" }).click();
       await dialog.waitFor({ state: "detached" });
       await page.locator("#side").getByText(/3 contours, 3 pierces/).waitFor();
-      // What was taken out stays out when the dialog is opened for the part once more.
+      // Removed contours stay removed when the dialog is opened for the part again.
       const again = await openDialog(page);
       await saysCut(again, 3, 4);
       await again.getByRole("button", { name: "All", exact: true }).click();
@@ -109,7 +112,7 @@ export default {
       await saysCut(dialog, 0, 4);
       await dialog.getByRole("button", { name: "Make path" }).click();
       await dialog.getByRole("alert").filter({ hasText: "No contour is chosen" }).waitFor();
-      // Other contours: all of them, and the answer of the last question counts.
+      // Other contours: all are selected, and the response to the last request counts.
       for (const side of ["y", "-z", "z"]) await dialog.getByLabel("Faces look along").selectOption(side);
       await saysCut(dialog, 4, 4);
       await dialog.getByLabel("Faces look along").selectOption("-z");
@@ -135,7 +138,7 @@ export default {
       assert.equal(held.count, 2);
       const rows = await dialog.locator("li").filter({ has: page.getByRole("checkbox") }).allInnerTexts();
       assert.equal(rows.length, 4);
-      // Of the faces below, not of those above, whose answer came first.
+      // Contours of the faces below, not of those above with the earlier response.
       assert.ok(rows.every((row) => /leans by/.test(row) && !row.includes("#933 ")), rows.join("\n"));
       assert.equal(await dialog.getByLabel("Bridges").inputValue(), "2");
       await page.unroute("**/ask");

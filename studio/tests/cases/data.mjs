@@ -25,7 +25,7 @@ const textOf = (page, name) => page.evaluate((of) => window.studio.documents.tex
 const undoLabel = (page) => page.evaluate(() => window.studio.session.history.undoLabel);
 const focused = (page) => page.evaluate(() => document.activeElement.innerText.split(/[\t\n]/)[0]);
 
-/** The way of the tool's tip, but for where the run starts. */
+/** Returns the path of the TCP, without the start of the run. */
 const way = (page) =>
   page.evaluate(() => window.studio.store.get("run").robots[0].segments.stretches.flatMap((stretch) => [...stretch.vertex_mm]).slice(3));
 
@@ -44,7 +44,7 @@ async function waitForRow(page, text) {
   assert.fail(`no row reads '${text}', but ${(await rows(page)).join("; ")}`);
 }
 
-/** A page with the square run, and the form open; with the machine data of a text, where there is one. */
+/** Opens a page with the square run and the form, with the machine data of a text, if any. */
 const withForm = (places, test, text = "") =>
   withPage(places.studio, async (page) => {
     const setup = { program: "square.nc", ...(text ? { machine_data: "own.txt" } : {}) };
@@ -55,7 +55,7 @@ const withForm = (places, test, text = "") =>
     await test(page);
   });
 
-/** By how much one way lies beside another, the same everywhere. */
+/** Returns the constant offset of one path from another. */
 function shift(before, after) {
   assert.equal(after.length, before.length);
   const by = [0, 1, 2].map((i) => after[i] - before[i]);
@@ -337,7 +337,7 @@ export default {
       await page.keyboard.press("Enter");
       await dialog(page).waitFor({ state: "detached" });
       assert.match(await textOf(page, JET), /^2 +50\.8 +0\.762 +CUTTER +DIAMETER_WEAR=0\.02 +ORIENTATION=3$/m);
-      // What stands elsewhere is as it was.
+      // Other lines are unchanged.
       assert.match(await textOf(page, JET), /^54 +200\.0001 +200\.0002 +200 +# the example of the thesis/m);
     }),
 

@@ -1,5 +1,6 @@
-// The second walk of docs/studio.md: somebody new has a drawing, a sheet on a table and a gantry, and goes home with a program that was
-// checked there. With GSIM_RENEW_PICTURES=1 its pictures are written into docs/images.
+// Second walk of docs/studio.md: a newcomer has a drawing, flat material on a table and a gantry, and leaves
+// with a program that was checked there. With GSIM_RENEW_PICTURES=1 its pictures are written into
+// docs/images.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -9,13 +10,16 @@ import { join } from "node:path";
 import { dropFiles, settled, withPage } from "../steps.mjs";
 
 const CELL = "samples/cell/table.toml";
-/** In the page alone, by somebody who reads what stands there: the walk's budget, s. What a machine takes for it is a small part. */
+/**
+ * Time budget of the walk, s: in the page alone, for a user that reads its texts. The machine's time is a
+ * small part of it.
+ */
 const BUDGET_S = 300;
 
 const side = (page) => page.locator("#side");
 const tab = (page, name) => side(page).getByRole("tab", { name, exact: true }).click();
 
-/** Fills in where the drawing's zero lies, makes the path, and waits for it. */
+/** Fills in the position of the drawing's zero, makes the path, and waits for it. */
 async function makePath(page, dialog, origin_mm) {
   for (const [letter, value] of Object.entries(origin_mm)) await dialog.getByLabel(`Origin at ${letter}`).fill(String(value));
   await dialog.getByRole("button", { name: "Make path" }).click();
@@ -56,7 +60,7 @@ export default {
           pictures_s += (performance.now() - from) / 1000;
         };
 
-        // 1: what stands round the machine, and the drawing.
+        // 1: the surroundings of the machine, and the drawing.
         await page.locator("#bar").getByLabel("Cell", { exact: true }).selectOption(CELL);
         await page.waitForFunction(() => window.studio.store.get("run")?.robots[0]?.scene.bodies.some(({ name }) => name === "sheet"));
         await dropFiles(page, join(places.samples, "plate.svg"));
@@ -81,7 +85,7 @@ export default {
         await said.scrollIntoViewIfNeeded();
         await picture("written");
 
-        // 4: what is wrong with it: the sheet is held by a clamp there.
+        // 4: the error: a clamp holds the material there.
         assert.ok(first.collisions.some(({ pair }) => pair.includes("nozzle") && pair.includes("left clamp")));
         await tab(page, "Run");
         await tab(page, "Summary");
@@ -89,7 +93,7 @@ export default {
         await page.evaluate(() => window.studio.view.stand("iso"));
         await picture("collision");
 
-        // 5: elsewhere on the sheet, as a second path and program, and whole.
+        // 5: elsewhere on the material, as a second path and program, and without error.
         await tab(page, "Paths");
         await side(page).getByRole("button", { name: "From drawing…" }).click();
         const again = page.getByRole("dialog", { name: "Path from drawing" });

@@ -1,4 +1,5 @@
-// Forces, power, following and contour errors: charts against the trajectory that gsim-run writes, and where they are worst.
+// Forces, power, following and contour errors: charts compared with the trajectory of gsim-run, and the
+// positions of their maxima.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -11,7 +12,7 @@ const MACHINE = "samples/machines/gantry-dynamics.toml";
 const setup = { program: "samples/rosette.ngc", machine: MACHINE, dialect: "rs274ngc" };
 const docs = (places) => join(places.samples, "../docs/images");
 
-/** A trajectory as rows by the names of its columns; an empty value is none. */
+/** Returns a trajectory as rows by the names of its columns; an empty value is missing. */
 function trajectory(places, args, step_s) {
   const folder = mkdtempSync(join(tmpdir(), "gsim-drives-"));
   try {
@@ -25,7 +26,10 @@ function trajectory(places, args, step_s) {
   }
 }
 
-/** What the page has of a series at these times, by its channels: "effort0"; `isTold`: the engine has told of that very time. */
+/**
+ * Returns the values of a series at these times, by its channels: "effort0"; `isTold`: the engine has sent
+ * that very time.
+ */
 const seriesAt = (page, kind, times_s) =>
   page.evaluate(
     ([name, all]) => {
@@ -46,10 +50,16 @@ const columns = {
   following: { error0: "x_error_mm", error1: "y_error_mm", error2: "z_error_mm", contour: "contour_mm" },
 };
 
-/** Shares of what a curve comes to, by which straight lines between instants may be off: the distance of a tip from its way has corners. */
+/**
+ * Max errors of straight lines between instants, as shares of a curve's maximum: the distance of a TCP from
+ * its path has corners.
+ */
 const OFF = { power: 0.003, effort: 0.003, error: 0.002, contour: 0.01 };
 
-/** At instants that the engine has told, and between them away from jumps, at which a time that is rounded is on either side. */
+/**
+ * Compares at instants that the engine has sent, and between them away from jumps, because a rounded time may
+ * be on either side of a jump.
+ */
 function compare(name, rows, column, ours) {
   const wanted = rows.map((row) => row[column]);
   const most = Math.max(...wanted.filter(Number.isFinite).map(Math.abs));
@@ -105,7 +115,7 @@ export default {
         for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowUp");
         await page.locator("#time .grip").blur();
         await page.locator("#side h3", { hasText: "Forces and torques" }).evaluate((heading) => {
-          heading.style.scrollMarginTop = "40px"; // behind the tabs
+          heading.style.scrollMarginTop = "40px"; // clear of the tabs
           heading.scrollIntoView();
         });
         await settled(page);

@@ -1,4 +1,4 @@
-// What comes late (answers of the engine, texts of a folder) changes nothing that it was not asked of.
+// Late data (responses of the engine, texts of a folder) changes only the object that it was requested for.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -17,7 +17,10 @@ const textOf = (page, name) => page.evaluate((of) => window.studio.documents.tex
 const undoLabel = (page) => page.evaluate(() => window.studio.session.history.undoLabel);
 const change = (page, setup) => page.evaluate((to) => window.studio.session.change(to), setup);
 
-/** Holds back what the engine answers to a question of this kind, until `act` is done; then waits until it has been told. */
+/**
+ * Delays the engine's response to a request of this kind until `act` is done; then waits until it has been
+ * delivered.
+ */
 async function answeredLate(page, kind, ask, act) {
   await page.evaluate((held) => {
     const { session } = window.studio;
@@ -29,7 +32,7 @@ async function answeredLate(page, kind, ask, act) {
       if (request.do !== held) return answer;
       ++late.asked;
       await isLetGo;
-      setTimeout(() => ++late.told); // behind those who have waited for it
+      setTimeout(() => ++late.told); // after all others that waited for it
       return answer;
     };
     late.end = () => (session.question = question);
@@ -58,7 +61,10 @@ const withData = (places, test) =>
     await test(page);
   });
 
-/** A page that runs on a machine, its form, and what changes the speed of its first axis; there is a machine of one's own. */
+/**
+ * Opens a page that runs on a machine, its form, and a function that changes the speed of its first axis; the
+ * machine is an own file.
+ */
 const withMachine = (places, machine, test) =>
   withPage(places.studio, async (page) => {
     const own = readFileSync(join(places.samples, "../", ROUTER), "utf8");
@@ -90,7 +96,7 @@ export default {
       const { X, Y } = await values(page);
       assert.deepEqual([X, Math.round(1e6 * (Y - begun.Y))], [begun.X, 10e6]);
 
-      // Of another run the machine stays, and the panel says so.
+      // For another run the machine stays, and the panel shows a message.
       const at = await values(page);
       await answeredLate(page, "pose", along, () => page.evaluate(() => window.studio.session.run()));
       assert.deepEqual(await values(page), at);
@@ -99,7 +105,7 @@ export default {
       await along();
       await page.waitForFunction(([before]) => window.studio.store.get("jog")[0] !== before, jog, { timeout: 20_000 });
 
-      // A button that is held goes on when the joints have gone.
+      // A held button continues after the joints have disappeared.
       const { x, y } = await button(page, /^Z −/).boundingBox();
       await page.mouse.move(x + 5, y + 5);
       await page.mouse.down();
@@ -177,7 +183,7 @@ export default {
 
   "the reach that is shown is that of the machine that was chosen last": (places) =>
     withPage(places.studio, async (page) => {
-      // Of the first machine there is none to be shown, which is told when another one has been chosen.
+      // The first machine has no reach to show, which is reported after another machine has been chosen.
       await page.evaluate(() => {
         const { session, store } = window.studio;
         const tell = (window.tell = []);
@@ -203,7 +209,7 @@ export default {
         session.inForce = async (...place) => {
           const found = await inForce.call(session, ...place);
           await isLetGo;
-          setTimeout(() => ++window.told); // behind who has waited for it
+          setTimeout(() => ++window.told); // after others that waited for it
           return found;
         };
       });

@@ -1,5 +1,5 @@
-// Runs that are too long for the page to hold: gsim-studio keeps them, the page fetches what it shows. A page asks for a million
-// segments whole; here it is made to ask for fewer.
+// Runs that are too long for the page to hold: gsim-studio keeps them, the page fetches the shown parts. A
+// page requests a million complete segments; here it requests fewer.
 
 import assert from "node:assert/strict";
 import { withServed } from "../served.mjs";
@@ -25,7 +25,7 @@ function longProgram() {
 
 const files = { "part.nc": SHORT, "sub/long.nc": longProgram(), "sub/endless.lua": ENDLESS };
 
-/** Makes the page ask for so few segments whole; returns the names that runs are kept under, as they come. */
+/** Makes the page request so few complete segments; returns the names of kept runs, as they come. */
 async function askForFew(page) {
   const names = [];
   await page.route("**/ask", (route) => {
@@ -46,7 +46,10 @@ const runProgram = (page, program) =>
     return { end_s: run.end_s, count: segments.count, isLong: run.isLong, stretches: segments.stretches.length, failure: run.failure };
   }, program);
 
-/** Shows instants one by one, waits until the joints of each are here, and tells the axes, the lines, and how long it took. */
+/**
+ * Shows instants one by one, waits until the joints of each are loaded, and returns the axes, the lines, and
+ * the time that it took.
+ */
 const scrubbed = (page, instants_s) =>
   page.evaluate(async (all) => {
     const { store } = window.studio;
@@ -65,7 +68,10 @@ const scrubbed = (page, instants_s) =>
 const inEach = (count, end_s) => Array.from({ length: count }, (_, i) => ((i + 0.37) / count) * end_s);
 const noticed = (page, text) => page.waitForFunction((words) => document.getElementById("bar").innerText.includes(words), text, PATIENCE);
 
-/** Axes and lines at instants are those of the whole run, and no more is kept of them than should be. */
+/**
+ * Checks that axes and lines at instants are those of the complete run, and that no more data is kept than
+ * should be.
+ */
 async function scrubsAs(page, instants_s, wanted) {
   const found = await scrubbed(page, instants_s);
   for (const [i, { axes, places }] of found.entries()) {
@@ -104,7 +110,10 @@ async function goToLine(page, line) {
   assert.equal(await shown.jsonValue(), line);
 }
 
-/** What the page does not know of lines it says, in place of heat and of facts beside the word at the cursor. */
+/**
+ * Checks that the page reports unknown data of lines, in place of heat and of facts next to the word at the
+ * cursor.
+ */
 async function saysWhatIsLacking(page) {
   assert.match(await page.locator("#code .code-status").innerText(), /No times of lines: a long run/);
   await page.keyboard.press("Control+i");
@@ -112,7 +121,7 @@ async function saysWhatIsLacking(page) {
   await page.keyboard.press("Escape");
 }
 
-/** Where laws cannot be had the way is still shown. */
+/** Checks that the path is still shown without laws. */
 async function goesOnByVertices(page) {
   const t_s = await page.evaluate(() => {
     const [{ segments }] = window.studio.store.get("run").robots;
@@ -186,7 +195,7 @@ export default {
         status = await laws(names[0]);
       }
       assert.equal(status, 404);
-      // A long one makes room for the next as soon as that is long.
+      // A long run is dropped as soon as the next one is long.
       assert.equal((await runProgram(page, "sub/long.nc")).isLong, true);
       await page.evaluate(() => {
         window.studio.session.change({ program: "sub/endless.lua" });

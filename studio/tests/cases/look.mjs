@@ -1,4 +1,4 @@
-// What the page shows.
+// Contents that the page shows.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -82,7 +82,7 @@ export default {
       await run(page, CELL);
       await at(page, 20);
       await page.evaluate(() => window.studio.view.stand("top"));
-      // Beside the way, where the head stands over the sheet.
+      // Next to the path, at the head above the workpiece.
       const clicked = async () => {
         await settled(page);
         const [x, y] = await page.evaluate(() => {

@@ -1,4 +1,4 @@
-// The machine and the cell in forms: changed, taken back, saved, opened again in another page, and run.
+// Machine and cell in forms: changed, undone, saved, opened again in another page, and run.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -8,7 +8,10 @@ import { run, settled, state, withPage } from "../steps.mjs";
 const ROUTER = "samples/machines/router3.toml";
 const MOVE = { "move.nc": "G21 G90\nG0 X500\nM30\n" };
 
-/** From rest to rest over a way, mm: at a speed (mm/s) and an acceleration (mm/s2) that it is long enough for. */
+/**
+ * Returns the time from standstill to standstill over a distance, mm: at a speed (mm/s) and an acceleration
+ * (mm/s2), if it is long enough for them.
+ */
 const moveTime = (way, speed, acceleration) => way / speed + speed / acceleration;
 
 const form = (page) => page.locator(".machine-form");
@@ -41,7 +44,7 @@ const text = (page, name) => page.evaluate((file) => window.studio.documents.tex
 const report = (page) => page.evaluate(() => window.studio.store.get("run").report);
 const ranIn = (page, time_s) =>
   page.waitForFunction((wanted) => Math.abs((window.studio.store.get("run")?.report?.cycle_time_s ?? -1) - wanted) < 1e-3, time_s, { timeout: 20_000 });
-/** Waits until a document is as wanted. */
+/** Waits until a document contains a text. */
 const hasText = (page, name, part) =>
   page.waitForFunction(([file, wanted]) => window.studio.documents.text(file).includes(wanted), [name, part], { timeout: 10_000 });
 
@@ -164,12 +167,12 @@ export default {
       assert.match(await control.innerText(), /until the axes are in position/);
       await fill(control, "Settle", "0.75");
       await ranIn(page, still + 2 * 0.75);
-      // The remark stays where it is.
+      // The comment stays in place.
       const changed = own.replace("0.5   #", "0.75  #");
       assert.equal(await text(page, "mine.toml"), changed);
       assert.equal(await text(page, "shop.toml"), machine);
 
-      // What the machine's own table says goes before; without either the model's value holds.
+      // The machine's own table has priority; without either the model's value applies.
       await field(control, "Model").selectOption("ab9");
       await ranIn(page, still);
       assert.equal(await text(page, "shop.toml"), machine.replace('"mine.toml"', '"ab9"'));
@@ -190,7 +193,7 @@ export default {
       await openForm(page);
       const fault = form(page).locator(".faults:visible li").first();
       assert.match(await fault.innerText(), /broken\.toml:21:1 unknown key 'max_sped_mm_s'.*max_speed_mm_s/s);
-      // Whole TOML is a form all the same.
+      // Valid TOML is shown as a form all the same.
       await fill(await openCard(page, "Y"), "Max speed", "140");
       await hasText(page, "broken.toml", "max_speed_mm_s = 140.0");
       await fault.getByRole("button").click();

@@ -1,4 +1,5 @@
-// Forms of paths beside points: fixed and reference points, work frames and tools, as far as the words of the program.
+// Path forms other than points: fixed and reference points, work frames and tools, up to the words of the
+// program.
 
 import assert from "node:assert/strict";
 import { run, setState, state, withPage } from "../steps.mjs";
@@ -74,7 +75,7 @@ export default {
       await put(page, "Name", "left");
       assert.deepEqual(await chosenTarget(page), { name: "left", reference: "DOCK", dwell_s: 2, actions: ["clamp"] });
       assert.match(await form(page).locator("[aria-selected=true]").innerText(), /left: reference point DOCK/);
-      // Behind it only a rapid may come.
+      // Only a rapid may follow it.
       await button(page, "Add a point").click();
       assert.equal((await chosenTarget(page)).motion, "rapid");
       assert.deepEqual(await page.evaluate(() => window.studio.store.get("path").walk.faults), []);
@@ -84,7 +85,7 @@ export default {
       assert.equal(await pathText(page), PATH);
       await page.locator("#redo-button").click();
       assert.deepEqual((await paths(page))[0].targets[3], { fixed: "CLAMP1" });
-      // What the data have later is offered, too.
+      // Later entries of the data are offered, too.
       await choose(page, 0, 3);
       await page.evaluate((text) => window.studio.documents.put("shop.txt", text), DATA.replace("7 350 60 -10", "8 350 60 -10 NAME=PARK"));
       await field(page, "Which").locator("option", { hasText: "PARK (8)" }).waitFor({ state: "attached" });
@@ -107,7 +108,7 @@ export default {
       assert.match(await said(page), /Not changed: 'tool' must be a whole number from 0/);
       assert.equal((await paths(page))[0].tool, 3);
 
-      // The use of a sub-path has a frame of its own.
+      // The use of a sub-path has its own frame.
       await choose(page, 0, 4);
       await put(page, "Work offset", "G56");
       await field(page, "Its place").selectOption("program");
@@ -127,7 +128,7 @@ export default {
       await page.locator("#side .write .primary").click();
       await page.locator("#side .write .fault").filter({ hasText: "G77" }).waitFor();
 
-      // What is emptied is taken away, with what goes with it.
+      // An emptied field is removed, with its dependent fields.
       await put(page, "Work offset", "");
       assert.deepEqual(await chosenTarget(page), { path: "part" });
       await choose(page, 0, -1);

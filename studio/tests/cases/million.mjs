@@ -1,4 +1,4 @@
-// A million blocks. Times are printed and written down in bench/RESULTS.md; they fail nothing.
+// A million blocks. Times are printed and recorded in bench/RESULTS.md; they never fail the test.
 
 import assert from "node:assert/strict";
 import { memoryOfBrowser } from "../memory.mjs";

@@ -1,4 +1,5 @@
-// Paths by hand: from a drawing or from nothing, changed in the tree, the form and the view, written, run and held against the path.
+// Manual paths: from a drawing or from an empty file, changed in the tree, the form and the view, written,
+// run and compared with the path.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -8,7 +9,7 @@ import { dropFiles, withPage, settled, state } from "../steps.mjs";
 const docs = (places) => join(places.samples, "../docs/images");
 const WHEEL = "samples/wheel.path.json";
 
-/** How far a round trip may be off: ways are drawn within 0.01 mm, programs rounded to 0.001. */
+/** Max deviation of a round trip: paths are drawn within 0.01 mm, programs rounded to 0.001. */
 const NEAR_MM = 0.02;
 
 const tab = (page, name) => page.locator("#side").getByRole("tab", { name, exact: true }).click();
@@ -56,7 +57,7 @@ async function pull(page, axis, by_px, steps = 8) {
   return { drop: () => page.mouse.up() };
 }
 
-/** Writes for a control, waits for the run, and returns how far both ways are off each other, mm. */
+/** Writes for a controller, waits for the run, and returns the deviation between both paths, mm. */
 async function writeFor(page, post, program) {
   await page.locator("#side .write").getByLabel("For", { exact: true }).selectOption(post);
   const write = page.locator("#side .write .primary");
@@ -111,7 +112,7 @@ export default {
         assert.match(await form(page).locator(".said").textContent(), /7 contours, 7 pierces, 725\.9 mm cut/);
         assert.equal((await file(page)).paths.length, 8);
 
-        // A click on a mark chooses its point; its handle moves it, by one step that is taken back and done again.
+        // A click on a mark selects its point; its handle moves it, by one step that is undone and redone.
         await settled(page);
         const { position_mm } = (await file(page)).paths[1].targets[5];
         await page.mouse.click(...(await page.evaluate((at) => window.studio.view.screen_of(at), position_mm)));
@@ -200,7 +201,7 @@ export default {
       assert.deepEqual((await names()).slice(1), ["300,300", "sub-path"]);
       assert.equal((await file(page)).paths[1].targets.length, 2);
       await put(page, "Times", 3);
-      // A row goes to where it is dropped: in front of what is above it.
+      // A row moves to its drop position: before a row that is above it.
       const times = (await file(page)).paths[0].targets.length;
       await rows(page).nth(times).dragTo(rows(page).nth(1));
       assert.deepEqual((await names())[0], "sub-path");
@@ -236,7 +237,7 @@ export default {
       await field(page, "Feed, in/min").fill("");
       await field(page, "Feed, in/min").press("Enter");
       assert.equal((await chosenPoint(page)).feed_mm_min, undefined, "emptied it is taken over again");
-      // What a change does not touch stays as it was written.
+      // A change leaves all other text as written.
       assert.equal(await pathText(page), await page.evaluate((name) => window.studio.documents.samples.get(name), WHEEL));
     }),
 

@@ -186,7 +186,7 @@ export default {
         assert.equal(await markOf(page, name), "");
       };
       const row = side.locator(".machine-form .file-row:visible");
-      // What is saved is the file that the form shows.
+      // The saved file is the one in the form.
       const shows = (name) => row.locator("b").filter({ hasText: name }).waitFor();
       await side.locator(".side-bar").getByRole("tab", { name: "Machine" }).click();
       await shows("router.toml");

@@ -1,4 +1,4 @@
-// How large pages are as they go over a wire: what grows them is to be seen where it comes in.
+// Sizes of pages in transfer: the cause of growth must be visible at once.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

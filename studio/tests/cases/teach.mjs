@@ -1,4 +1,5 @@
-// The joint panel: joints and tip moved by hand, limits and what touches said, points recorded, gone to, and run.
+// Joint panel: joints and TCP moved by hand, limits and contacts reported, points recorded, approached, and
+// run.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -22,7 +23,7 @@ const values = (page) =>
     return Object.fromEntries(axes.map(({ letter, rotary, zero }, i) => [letter, zero + (rotary ? (jog[i] * 180) / Math.PI : jog[i])]));
   });
 
-/** Tip and tool axis as they are read. */
+/** Returns TCP and tool axis as displayed. */
 async function tip(page) {
   const cells = await form(page).locator(".tip-pad output").allTextContents();
   const numbers = cells.map(parseFloat);
@@ -57,7 +58,7 @@ export default {
       await page.keyboard.press("ArrowLeft");
       assert.ok((await values(page)).B < B);
 
-      // Held, it goes on; at the end it stays.
+      // While held, it continues; at the end it stops.
       await form(page).getByLabel("Step of lengths").selectOption("100 mm");
       const { x, y } = await button(page, /^Y −/).boundingBox();
       await page.mouse.move(x + 5, y + 5);
@@ -74,7 +75,7 @@ export default {
       near((await values(page)).C, 90);
       assert.match(await form(page).locator(".said").textContent(), /C ends at 90/);
 
-      // Another form shows the run; behind it the joints are where they were, until they are put back.
+      // Another form shows the run; afterwards the joints are as before, until they are reset.
       const at = await values(page);
       await tab(page, "Run");
       assert.equal(await state(page, "jog"), null);

@@ -39,7 +39,7 @@ attached_to = "trolley"
 shape = { box_mm = [120.0, 80.0, 60.0] }
 frame = { z_mm = 70.0 }
 `;
-/** The trolley goes 800 mm at 100 mm/s and turns by a quarter, while the tool goes on. */
+/** Program: the trolley moves 800 mm at 100 mm/s and turns by a quarter, while the tool continues. */
 const LED = `local _ENV = require "gsim"
 G0{x=200, y=1000, z=300}
 assert(rrs.SelectObject("trolley") == 0)
@@ -50,7 +50,7 @@ F(6000) G1{x=1600}
 
 const near = (value, expected, tolerance = 1e-9) => assert.ok(Math.abs(value - expected) < tolerance, `${value} is not ${expected}`);
 
-/** Writes a picture of a part of the page, of its whole height or so many pixels. */
+/** Writes a picture of a part of the page, with its full height or so many pixels. */
 async function picture(page, places, name, locator, height = Infinity) {
   const box = await locator.boundingBox();
   await pictureOf(page, places, name, { ...box, height: Math.min(box.height, height) });
@@ -62,7 +62,7 @@ async function pictureOf(page, places, name, clip) {
   await page.screenshot({ path: join(places.samples, `../docs/images/thesis-${name}.png`), clip });
 }
 
-/** Where the view shows a box of the work, with a margin. */
+/** Returns the area of the view for a box of the work, with a margin. */
 const onScreen = (page, from_mm, to_mm, margin_px) =>
   page.evaluate(
     ([from, to, margin]) => {
@@ -74,7 +74,7 @@ const onScreen = (page, from_mm, to_mm, margin_px) =>
     [from_mm, to_mm, margin_px],
   );
 
-/** Segments of the run, with the accelerations of the pieces of their law. */
+/** Returns the segments of the run, with the accelerations of the parts of their law. */
 const segments = (page) =>
   page.evaluate(() => {
     const { scene, segments } = window.studio.store.get("run").robots[0];

@@ -1,4 +1,4 @@
-// Undo and redo over all that a person changes; the bar keeps its place under the keyboard.
+// Undo and redo of all changes by the user; the bar keeps its position under the keyboard.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -26,7 +26,7 @@ async function runAnew(page, act) {
 const editor = (page) => page.locator("#code .cm-content").first();
 const leaveEditor = (page) => page.locator("#view .surface").focus();
 
-/** Types behind the feed of line N210. */
+/** Types after the feed of line N210. */
 async function typeFeed(page, digits) {
   await page.locator("#code .cm-line").filter({ hasText: /^N210 / }).first().click();
   await page.keyboard.press("End");

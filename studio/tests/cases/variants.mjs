@@ -32,7 +32,7 @@ const listFile = (page) => page.evaluate(() => JSON.parse(window.studio.document
 const secondsOf = (text) => text.replace(/ s.*/, "").split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
 const near = (a, b, most) => assert.ok(Math.abs(a - b) <= most, `${a}, not ${b}`);
 
-/** Waits until none is run any more, and each row says what came of it. */
+/** Waits until no variant runs any more, and each row shows a result. */
 const allRan = (page) =>
   page.waitForFunction(
     () => {
@@ -103,7 +103,7 @@ export default {
       const said = await saidOf(page);
       assert.match(said, /^“large” is \S+( s)? \(\S+ %\) faster: \S+( s)? against \S+( s)? of “slow”\./);
       assert.match(said, /The most of it is at line \d+ \+\S+ s \(programmed feed\)/);
-      // What all blocks differ by, and what is between them, is the whole.
+      // The differences of all blocks, and those between them, add up to the total.
       const sums = await page.evaluate(() => {
         const all = [...document.querySelectorAll("#side .variant-compare .differences tbody tr")];
         return all.map((each) => [...each.cells].map((cell) => cell.textContent));
@@ -161,7 +161,7 @@ export default {
           await page.screenshot({ path: join(docs(places), "studio-variants.png") });
         }
 
-        // Behind the end of the one the other goes on.
+        // After the end of one run the other continues.
         await setState(page, "time_s", end_s + 1);
         const ended = await canvases(page);
         await setState(page, "time_s", other_s);
@@ -391,13 +391,13 @@ export default {
       const lines = await form(page).locator(".variant-compare .differences tbody td:first-child").allInnerTexts();
       assert.ok(lines.every((text) => !/pass 1 of/.test(text)), `${lines}`);
 
-      // Of a text that has changed since, lines are others.
+      // Lines of a changed text have moved.
       await page.evaluate((text) => window.studio.documents.put("loop.nc", `(one more)\n${text}`), LOOP);
       await here.getByRole("button", { name: "Make a variant from here" }).click();
       assert.equal(await state(page, "notice"), "The run that is shown is of an earlier loop.nc: run it first");
       await page.evaluate((text) => window.studio.documents.put("loop.nc", text), LOOP);
 
-      // A line that moves nothing is said to.
+      // A line without motion is reported as such.
       await page.locator("#code .cm-line").filter({ hasText: /^M99$/ }).first().click();
       await here.getByText(/line 13\. The run that is shown has no block of this line/).waitFor();
       assert.equal(await here.getByRole("button", { name: "Make a variant from here" }).isVisible(), false);

@@ -1,5 +1,5 @@
-// The walk of docs/studio.md: somebody who has never seen the page finds the slowest block of a program, sees why, changes the feed
-// there and compares. With GSIM_RENEW_PICTURES=1 its pictures are written into docs/images.
+// Walk of docs/studio.md: a newcomer to the page finds the slowest block of a program, sees why, changes the
+// feed there and compares. With GSIM_RENEW_PICTURES=1 its pictures are written into docs/images.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";

@@ -1,4 +1,4 @@
-// What a person does with the page.
+// Actions of a user in the page.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -6,7 +6,10 @@ import { difference, dropFiles, pictureOfView, run, setState, settled, state, wi
 
 const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  F(6000) while true do G1{x=100} G1{x=0} end\nend)\n";
 
-/** Puts the cursor into a line of the program, by a click on its text; on a busy machine that may still be on its way into sight. */
+/**
+ * Places the cursor in a line of the program, by a click on its text; on a busy machine that may still be
+ * scrolling into view.
+ */
 async function clickLine(page, line) {
   await page.evaluate((number) => window.studio.store.set("selection", { file: "samples/wheel.nc", line: number, block: -1 }), line);
   await page.waitForTimeout(300);

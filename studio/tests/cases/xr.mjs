@@ -1,4 +1,5 @@
-// The cell in a headset, which is emulated: both eyes, in metres; walking, turning, the clock; and the page behind it as before it.
+// Cell in an emulated headset: both eyes, in metres; walking, turning, the clock; and the page afterwards as
+// before.
 
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
@@ -49,7 +50,9 @@ const runPost = async (page) => {
   assert.equal(status, "completed");
 };
 
-/** Where each eye sees the post, px from the middle of its picture to the right and upwards. */
+/**
+ * Returns the position of the post for each eye, px from the middle of its picture to the right and upwards.
+ */
 const seen = (page) =>
   page.evaluate(() => {
     const { width, height, data } = window.headset.pixels();
@@ -105,7 +108,7 @@ async function assertRefused(page, why) {
   const before = await pictureOfView(page);
   await enterButton(page).click();
   await page.locator("#bar .notice").filter({ hasText: `The headset does not show the cell: ${why}` }).waitFor();
-  await setState(page, "notice", ""); // its line takes room
+  await setState(page, "notice", ""); // its line takes space
   await assertAsBefore(page, before);
   assert.equal(await enterButton(page).isEnabled(), true);
 }
@@ -134,7 +137,7 @@ export default {
       async (page) => {
         await runPost(page);
         assert.equal(await page.evaluate(() => navigator.xr.asked), 1);
-        // However the head is turned and wherever it is when the headset is put on.
+        // Any pose of the head at the moment when the headset is put on.
         await page.evaluate(() => Object.assign(window.headset.head, { x_m: 0.7, y_m: 1, z_m: -0.4, turn: 2, down: 0.3 }));
         await enter(page);
         await page.evaluate(() => Object.assign(window.headset.head, { down: 0 }));
@@ -173,7 +176,7 @@ export default {
         await hold(page, { left: [0, -1], right: [0, 0] });
         await show(page, 20, 10);
         await page.evaluate(() => Object.assign(window.headset.head, { down: 0 }));
-        await hold(page, { left: [0, 0.1], right: [0, 0] }); // sticks do not rest at 0
+        await hold(page, { left: [0, 0.1], right: [0, 0] }); // sticks do not return to 0
         await show(page, 20, 10);
         near((await stand(page)).away_m, from.away_m - 0.3, 0.02, "walked on");
         await hold(page, { left: [0, 0.5], right: [0, 0] });
@@ -191,7 +194,7 @@ export default {
         await show(page);
         assert.equal(await difference(page, begun, await eyes(page)), 0);
 
-        // A push is one step, however long it is held; a body straight on goes to the left.
+        // A push is one step, however long it is held; a body straight ahead moves to the left.
         const wanted_px = (angle_deg) => -FOCUS_PX * Math.tan((angle_deg * Math.PI) / 180);
         const middle_px = async () => (await seen(page)).reduce((sum, { left, right }) => sum + (left + right) / 4, 0);
         const begun_px = await middle_px();
@@ -203,7 +206,7 @@ export default {
         await hold(page, { left: [0, 0], right: [-1, 0] });
         await show(page);
         assert.ok((await difference(page, begun, await eyes(page))) < 0.001, "turned back");
-        // It walks as the head looks, which may be turned in the room, too.
+        // It walks in the direction of the head, also after a rotation in the real space.
         await page.evaluate(() => Object.assign(window.headset.head, { turn: Math.PI / 2 }));
         await hold(page, { left: [0, -1], right: [0, 0] });
         await show(page, 10, 10);
@@ -234,7 +237,7 @@ export default {
       near(await state(page, "time_s"), 32, 1e-6, "the clock, at rest");
       assert.equal(await state(page, "playing"), false);
       assert.ok((await difference(page, begun, await eyes(page))) > 0.0005);
-      // Where it plays on, the window's pictures take the clock over.
+      // If it continues to play, the window's pictures take over the clock.
       await press(page, "select");
       await show(page);
       await leaveButton(page).click();
@@ -282,7 +285,8 @@ export default {
       await page.evaluate(() => window.headset.takeOff());
       await assertAsBefore(page, before);
 
-      // What the page does meanwhile is there behind it: another size, a click on the way, other colours.
+      // Changes of the page meanwhile are visible afterwards: another size, a click on the path, other
+      // colours.
       await enter(page);
       await page.setViewportSize({ width: 1100, height: 700 });
       await page.waitForTimeout(300);
@@ -344,7 +348,7 @@ export default {
           await show(page, 2);
           pictures.push(await eyes(page));
           if (layers) {
-            // Smoothed edges are other pixels; a way that is missing would be more.
+            // Smoothed edges have other pixels; a missing path would differ more.
             const share = await difference(page, pictures[0], pictures[1]);
             assert.ok(share < 0.03, `${100 * share} %`);
             const [one, other] = [await countPixels(page, pictures[0], GREEN), await countPixels(page, pictures[1], GREEN)];

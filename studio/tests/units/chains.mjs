@@ -1,4 +1,4 @@
-// Places of links, tool and cell frames, and how drifts move them.
+// Poses of links, tool and cell frames, and their motion by drifts.
 
 import assert from "node:assert/strict";
 import { moved, near, scene } from "./made.mjs";

@@ -1,4 +1,4 @@
-// What the editor knows of G-code by its text: words, what is in force, remarks, dialects, Lua of one's own.
+// Data that the editor derives from G-code text: words, modal state, comments, dialects, own Lua code.
 
 import assert from "node:assert/strict";
 
@@ -18,7 +18,7 @@ const language = {
 
 const named = (words) => words.map(({ letter, number }) => letter + number);
 
-/** A program after its lines from `from` to `to` (counted from 1, none selected: one) were toggled. */
+/** Returns a program after toggling its lines from `from` to `to` (counted from 1, none selected: one). */
 function toggled({ EditorState, EditorSelection, toggleRemark }, isNgc, text, from = 1, to = from) {
   let state = EditorState.create({ doc: text });
   const { doc } = state;
@@ -97,7 +97,7 @@ export default {
     const program = "G1 X1 (go)\n(all)";
     assert.equal(toggled(page, false, program), "(G1 X1 {go})\n(all)");
     assert.equal(toggled(page, false, "(G1 X1 {go})"), "G1 X1 (go)");
-    // A part that is a remark already stays one; one that only begins and ends like one is none.
+    // A part that is already a comment stays one; one that only begins and ends like a comment is none.
     assert.equal(toggled(page, false, program, 1, 2), "(G1 X1 {go})\n(all)");
     assert.equal(toggled(page, false, "(A) G1 (B)"), "({A} G1 {B})");
   },

@@ -1,4 +1,5 @@
-// Contours of a part to choose from: which edges tell the engine of a choice, and how lines in space are seen.
+// Contours of a part to choose from: the edges that identify a choice for the engine, and lines in space on
+// the screen.
 
 import assert from "node:assert/strict";
 import { near } from "./made.mjs";
@@ -9,7 +10,7 @@ const contour = (edges, more = {}) => ({ face: "the plane face #1", isHole: true
 const three = [contour(["#1", "#2"]), contour(["#3"]), contour(["#4", "#5"])];
 const size = { width: 400, height: 200 };
 
-/** A square of 20 mm in the plane z = 0, about a place. */
+/** Returns a square of 20 mm in the plane z = 0, around a position. */
 const square = (x, y, z = 0) =>
   new Float64Array([[-10, -10], [10, -10], [10, 10], [-10, 10], [-10, -10]].flatMap(([dx, dy]) => [x + dx, y + dy, z]));
 /** Straight from above, X to the right. */

@@ -1,4 +1,5 @@
-// What charts and the view draw: curves that miss no peak, vertices of a way, places on it, colours and grids.
+// Contents of charts and the view: curves that miss no peak, vertices of a path, positions on it, colours and
+// grids.
 
 import assert from "node:assert/strict";
 import { lawOf, near, segmentsMessage } from "./made.mjs";
@@ -17,7 +18,7 @@ function shortMoves({ Segments }, count = 4000, fast = 1234) {
   return segments;
 }
 
-/** A way of three segments with two pieces each; the second is rapid. */
+/** Returns a path of three segments with two parts each; the second is rapid. */
 function way(page) {
   const segments = new page.Segments(2, [0, 1]);
   const message = segmentsMessage([move(1, 2), move(2, 2, { kind: 0 }), move(3, 2)]);
@@ -58,7 +59,7 @@ export default {
 
   "a probe widens to what a law comes to within a segment": ({ Segments, Probe }) => {
     const message = segmentsMessage([move(1, 2, { length_mm: 10 })]);
-    // Up to 5 and down to 0 within 2 s; the joint goes 10 mm for the 5 of the lead.
+    // Up to 5 and down to 0 within 2 s; the joint moves 10 mm for the 5 of the leading law.
     message.columns.set("values", Float64Array.from([0, 0, 10, 0, ...lawOf(0, [[1, 5, 0], [1, -5, 0]]), 0]));
     const segments = new Segments(2, [0, 1]);
     segments.add(message);

@@ -1,4 +1,4 @@
-// The folder that is served: saves, reads and what other programs do, in each other's way.
+// Served folder: conflicts between saves, reads and changes by other programs.
 
 import assert from "node:assert/strict";
 
@@ -11,7 +11,10 @@ const settled = () => new Promise((done) => setTimeout(done, 0));
 /** Tags say which content a file has. */
 const tagOf = (text) => `tag of ${text}`;
 
-/** A server in place of gsim-studio: `files` is the disk; tell() is what it says of a change. `before` is awaited by each request. */
+/**
+ * Creates a server in place of gsim-studio: `files` is the disk; tell() reports a change. Each request awaits
+ * `before`.
+ */
 function fakeServer(disk) {
   const server = {
     files: new Map(Object.entries(disk)),

@@ -1,4 +1,4 @@
-// What hands do: grips of a handle on the screen, directions of the tool, joints that are moved.
+// Manual motion: grips of a handle on the screen, directions of the tool, moved joints.
 
 import assert from "node:assert/strict";
 import { near, runOf, scene } from "./made.mjs";
@@ -9,7 +9,7 @@ export const modules = [
 ];
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-// Frames whose Z is the world's X, and back.
+// Frames that rotate Z to the world's X, and back.
 const zToX = [0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1];
 const xToZ = [0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1];
 const axis = (letter, rotary, more = {}) => ({
@@ -17,7 +17,7 @@ const axis = (letter, rotary, more = {}) => ({
   ...more,
 });
 
-/** Z goes up, C turns about it, A tilts about X: a fork head. */
+/** Returns a fork head: Z moves up, C turns about it, A tilts about X. */
 const head = () =>
   scene({
     axes: [axis("Z", false, { min: -10, max: 200 }), axis("C", true, { min: -360, max: 360 }), axis("A", true, { min: -120, max: 120, zero: 5 })],

@@ -1,10 +1,10 @@
-// Undo and redo: what was there comes back, whoever has changed it.
+// Undo and redo: the previous state comes back, regardless of the source of the change.
 
 import assert from "node:assert/strict";
 
 export const modules = ["core/history", "core/documents"];
 
-/** A history with documents and a setup of its own, and all that it told. */
+/** Returns a history with its own documents and setup, and all its notifications. */
 function made({ History, Documents }, samples = {}, mostCharacters = undefined) {
   const documents = new Documents(new Map(Object.entries(samples)));
   const session = { setup: { program: "a.nc", machine: "" }, change: (part) => (session.setup = { ...session.setup, ...part }) };

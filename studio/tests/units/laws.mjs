@@ -5,7 +5,7 @@ import { lawOf, near, slope, steady } from "./made.mjs";
 
 export const modules = ["run/law", "run/arc", "run/head", "run/evaluate", "run/kinds"];
 
-/** From rest with jerk, at a speed, and to rest: 4 s. */
+/** From standstill with jerk, at a speed, and to standstill: 4 s. */
 const curve = Float64Array.from(lawOf(0, [[1, 0, 6], [2, 0, 0], [1, 0, -6]]));
 
 const inside = (from, to, count = 37) => Array.from({ length: count }, (_, i) => from + ((i + 0.5) * (to - from)) / count);
@@ -21,7 +21,7 @@ function derive(at, instants, tolerance = 1e-5) {
   }
 }
 
-// In a plane that is tilted out of all axes; u, v and the way up are square to each other.
+// Plane tilted relative to all axes; u, v and the upward direction are at right angles.
 const u = [2 / 3, 2 / 3, 1 / 3];
 const v = [-2 / 3, 1 / 3, 2 / 3];
 const up = [1 / 3, -2 / 3, 2 / 3];
@@ -76,7 +76,7 @@ export default {
   },
 
   "the range of a law is what it comes to, and no more": ({ lawAt, newRange, widenByLaw }) => {
-    // Up and down again within one piece: the highest speed is in its middle.
+    // Up and down again within one part: the highest speed is in its middle.
     const hump = Float64Array.from(lawOf(1, [[2, 3, -3]]));
     const range = newRange();
     widenByLaw(hump, 0, range);

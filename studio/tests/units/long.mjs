@@ -149,7 +149,7 @@ export default {
   },
 
   "blocks behind the table: of a line, of an instant, before and after": async (page) => {
-    // Line 2 and 3 in turns; a block of three segments goes over the end of a stretch.
+    // Lines 2 and 3 alternate; a block of three segments crosses the end of a stretch.
     const loop = [move(2, 1), move(3, 1), move(2, 1), move(3, 1)];
     const run = longRunOf(page, [loop, loop, [move(2, 1), move(7, 1), move(7, 1)], [move(7, 1), move(8, 1)]]);
     const { blocks, segments } = run.robots[0];
@@ -224,7 +224,7 @@ export default {
 
   "of a way that lies in few pixels fewer pieces are drawn, of one beside the screen none": ({ stridesOf, rowLength }) => {
     const identity = { elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
-    /** Pieces of a zigzag in a square about the middle of the screen, which is 2 mm wide. */
+    /** Returns the lines of a zigzag in a square around the middle of the screen, which is 2 mm wide. */
     const zigzag = (count, half_mm, at = 0) => {
       const texels = new Float32Array(4 * (count + 1));
       for (let i = 0; i <= count; ++i) {
@@ -239,11 +239,11 @@ export default {
     near(row.length_mm, 1000, 1);
     assert.deepEqual(strides(zigzag(100, 0.5)), [1]);
     assert.deepEqual(strides(zigzag(100, 0.5, 5)), [0]);
-    // 20 rows of 500,000 pixels of way each on 250,000 pixels: forty times as much.
+    // 20 rows with 500,000 pixels of path each on 250,000 pixels: forty times as much.
     assert.deepEqual(new Set(strides(...Array.from({ length: 20 }, () => row))), new Set([4]));
     // All in one pixel.
     assert.deepEqual(strides(zigzag(4096, 1e-5)), [64]);
-    // What lies alone beside all that is drawn whole.
+    // An isolated path away from all others is drawn completely.
     const alone = zigzag(20, 0.1, 0.85);
     assert.equal(strides(...Array.from({ length: 20 }, () => row), alone).at(-1), 1);
   },

@@ -1,4 +1,5 @@
-// What the forms of machine and cell need no page for: names of files in files, numbers with units, frames, what hangs together.
+// Functions of the machine and cell forms that need no page: names of files in files, numbers with units,
+// frames, dependencies.
 
 import assert from "node:assert/strict";
 
@@ -87,7 +88,7 @@ export default {
   "a frame's numbers and its matrix are the same": ({ matrixOf, poseOf, changesOfPose }) => {
     const pose = { x_mm: 1, y_mm: -2, z_mm: 3, roll_deg: 30, pitch_deg: -40, yaw_deg: 50 };
     assert.deepEqual(poseOf(matrixOf(pose), 6), pose);
-    // Rz(90) takes X to Y.
+    // Rz(90) rotates X to Y.
     const { elements } = matrixOf({ roll_deg: 90 });
     near(elements[0], 0);
     near(elements[1], 1);
@@ -141,7 +142,7 @@ export default {
     near(gap(box, at(0, 0, 0), ball, at(13, 24, 0)), 0);
     near(gap(box, at(0, 0, 0), ball, at(19, 32, 0)), 10);
     near(gap(box, at(0, 0, 0), ball, at(22, 24, 33)), Math.hypot(12, 4, 3) - 5);
-    // Two rods across: the axes are 20 apart.
+    // Two crossed rods: the axes are 20 apart.
     const across = new Matrix4().makeRotationX(Math.PI / 2).setPosition(20, 0, 0);
     near(gap(rod, at(0, 0, 0), rod, across), 12, 1e-4);
     near(gap(rod, at(0, 0, 0), rod, at(0, 0, 107)), 7);

@@ -9,7 +9,9 @@ export function near(actual, expected, tolerance = 1e-9, what = "") {
 /** The slope of a function, by what it is on both sides. */
 export const slope = (of, at, step = 1e-5) => (of(at + step) - of(at - step)) / (2 * step);
 
-/** Numbers of a law from its start speed and pieces [duration, acceleration at its start, jerk]. */
+/**
+ * Returns the numbers of a law from its start speed and parts [duration, acceleration at its start, jerk].
+ */
 export function lawOf(speed, pieces) {
   let [s, v] = [0, speed];
   const numbers = pieces.flatMap(([t, a, jerk]) => {
@@ -21,7 +23,7 @@ export function lawOf(speed, pieces) {
   return [s, pieces.reduce((sum, [t]) => sum + t, 0), v, pieces.length, ...numbers];
 }
 
-/** A way at one speed, from rest to rest. */
+/** Returns a law of constant speed between two standstills. */
 export const steady = (length, duration_s) => lawOf(length / duration_s, [[duration_s, 0, 0]]);
 
 /** A straight segment's record: two joints go in proportion to the lead. */
@@ -35,8 +37,8 @@ export const straight = (start, end, duration_s) => [
 const plain = { file: 0, kind: 1, limit: 0, axis: -1, feed_per_min: 600, length_mm: 1, processOn: false };
 
 /**
- * A message of segments of two joints. Each of `moves` has a `line` and a `duration_s`; the rest is as `plain` has it.
- * The first is number `first`, and begins at `start_s`.
+ * Returns a message of segments of two joints. Each of `moves` has a `line` and a `duration_s`; the remainder
+ * is as in `plain`. The first is number `first`, and begins at `start_s`.
  */
 export function segmentsMessage(moves, first = 0, start_s = 0) {
   const all = moves.map((move) => ({ ...plain, ...move }));
@@ -59,8 +61,8 @@ export function segmentsMessage(moves, first = 0, start_s = 0) {
 }
 
 /**
- * The same without all but the way and the lines (docs/studio-server.md): a vertex at the end of each segment, x its
- * number; those that `rests` have none.
+ * Returns the same with only the path and the lines (docs/studio-server.md): a vertex at the end of each
+ * segment, x its number; those that `rests` have none.
  */
 export function leanMessage(moves, first = 0, start_s = 0) {
   const { columns } = segmentsMessage(moves, first, start_s);
@@ -94,8 +96,8 @@ export function leanMessage(moves, first = 0, start_s = 0) {
 }
 
 /**
- * A long run: `parts` of moves as of segmentsMessage, of which the first `whole` are here for good; `fetched(number)`
- * is told of each that is asked for, and may throw.
+ * Returns a long run: `parts` of moves as of segmentsMessage, of which the first `whole` are permanently
+ * loaded; `fetched(number)` is called for each request, and may throw.
  */
 export function longRunOf({ Run }, parts, { whole = 1, files = ["a.nc", "b.nc"], fetched = () => {} } = {}) {
   const wholes = [];
@@ -128,7 +130,7 @@ const axis = (letter, rotary) => ({
   ...{ home: 0, zero: 0, carries: "tool" },
 });
 
-/** X goes along the world's Z by its frame, C turns behind it, the tool stands 10 mm out. */
+/** Returns a scene: X moves along the world's Z by its frame, C turns after it, the tool is 10 mm out. */
 export const scene = (more = {}) => ({
   machine: "made",
   controller: "none",

@@ -1,4 +1,4 @@
-// Frames of the engine, whole and broken; surfaces as STL.
+// Frames of the engine, complete and broken; surfaces as STL.
 
 import assert from "node:assert/strict";
 
@@ -42,7 +42,7 @@ function binaryStl(triangles) {
 
 const textStl = (...corners) => new TextEncoder().encode(`solid a\n${corners.map((corner) => `vertex ${corner}`).join("\n")}\nendsolid`);
 
-/** An engine whose worker answers with `bytes`. */
+/** Creates an engine with a worker that responds with `bytes`. */
 function engineThatSays(WorkerEngine, bytes) {
   const worker = { terminate() {}, postMessage: ({ kind, id }) => kind === "ask" && setTimeout(() => worker.onmessage({ data: { id, bytes } })) };
   return new WorkerEngine(() => worker, Promise.resolve(null));
@@ -117,7 +117,7 @@ export default {
   "STL is read as bytes and as text": ({ stlTriangles }) => {
     assert.deepEqual([...stlTriangles(binaryStl([triangle, triangle.map((x) => x + 2)]))], [...triangle, ...triangle.map((x) => x + 2)]);
     assert.deepEqual([...stlTriangles(textStl("0 0 0", "1 0 0", "0\t1e0 -0.0"))], [0, 0, 0, 1, 0, 0, 0, 1, -0]);
-    // One that begins with the word of text files, and is none.
+    // Binary file that begins with the keyword of text files.
     const named = binaryStl([triangle]);
     named.set(new TextEncoder().encode("solid of bytes"));
     assert.deepEqual([...stlTriangles(named)], triangle);

@@ -1,4 +1,4 @@
-// What forms of paths change beside points: machine points, work frames, tools.
+// Changes by path forms other than points: machine points, work frames, tools.
 
 import assert from "node:assert/strict";
 

@@ -1,4 +1,4 @@
-// Path files: reading, changes of their text, ways through them, arcs, leads, round trips.
+// Path files: reading, changes of their text, walks through them, arcs, leads, round trips.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

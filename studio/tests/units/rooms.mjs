@@ -1,4 +1,5 @@
-// Which part of the page knows which: parts know core/ and run/, and never each other; core/ and run/ know no part.
+// Dependencies between modules of the page: parts use core/ and run/, and never each other; core/ and run/
+// use no part.
 
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
@@ -12,7 +13,7 @@ const shared = ["core", "run", "texts"];
 
 const files = readdirSync(sources, { recursive: true }).filter((name) => name.endsWith(".ts"));
 
-/** The room of a file, by its path below src/: its folder, or its own name. */
+/** Returns the module of a file, by its path below src/: its folder, or its own name. */
 const roomOf = (file) => file.split("/")[0].replace(/\.ts$/, "");
 
 /** What a file imports, by paths below src/; packages left out. */

@@ -1,4 +1,4 @@
-// Blocks, lines at work, marks, and what the parts of the page ask of them.
+// Blocks, active lines, marks, and the queries of the page for them.
 
 import assert from "node:assert/strict";
 import { near, runOf, segmentsMessage } from "./made.mjs";

@@ -1,4 +1,4 @@
-// Curves over time that the engine tells by instants or by steps: forces and following errors.
+// Curves over time that the engine sends by instants or by steps: forces and following errors.
 
 import assert from "node:assert/strict";
 import { near, runOf, scene } from "./made.mjs";
@@ -19,7 +19,7 @@ function instants(rows, is = "efforts") {
   return message(is, {}, { t_s, values: Float32Array.from(rows.flatMap((row) => row.slice(1))) });
 }
 
-/** Steps of a second: [lowest, highest] of X; nothing else. */
+/** Returns steps of a second: [lowest, highest] of X; no other values. */
 function steps(rows) {
   const all = (side) => Float32Array.from(rows.flatMap((row) => [NaN, row[side], NaN]));
   return message("efforts", { step_s: 1 }, { low: all(0), high: all(1) });

@@ -1,4 +1,5 @@
-// What passes between a page and gsim-studio: frames in pieces, answers that fail, and which files are sent along.
+// Communication between a page and gsim-studio: partial frames, responses with errors, and the files that are
+// sent along.
 
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
@@ -24,7 +25,7 @@ const numbers = () => {
 };
 const done = () => frame({ is: "done" });
 
-/** Asks an engine whose server answers by `respond`. */
+/** Sends requests to an engine with a server that responds by `respond`. */
 async function withServer(respond, test) {
   const server = createServer((request, response) => void respond(request, response));
   await new Promise((ready) => server.listen(0, "127.0.0.1", ready));

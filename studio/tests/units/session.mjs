@@ -1,14 +1,16 @@
-// When the page's own program runs beside variants: what they end is made behind them.
+// Order of the page's own program and variants: a run that they end is made after them.
 
 import assert from "node:assert/strict";
 
 export const modules = ["core/session", "core/store", "core/documents", "core/setup", "panels/variants/data/runner"];
 
-/** Longer than changes are waited for before the program runs anew. */
+/** Time longer than the delay after changes before the program runs again. */
 const SOON_MS = 600;
 const pause = (ms) => new Promise((go) => setTimeout(go, ms));
 
-/** A session whose engine answers when it is told to; `asked` has the programs of its runs, in order. */
+/**
+ * Returns a session with an engine that responds on command; `asked` has the programs of its runs, in order.
+ */
 function made({ Session, Store, initialState, Documents, emptySetup, Runner }) {
   const asked = [];
   let tell = () => {};

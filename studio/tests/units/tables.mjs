@@ -1,4 +1,4 @@
-// What the tables of results are made from: blocks sorted and filtered, runs compared, time shared out.
+// Inputs of the result tables: blocks sorted and filtered, runs compared, shares of time.
 
 import assert from "node:assert/strict";
 import { near, runOf } from "./made.mjs";

@@ -99,7 +99,7 @@ export default {
       assert.equal(kindOfFile(name, text), kind, name);
       assert.equal(kindOfFile(name, new TextEncoder().encode(text)), kind, `${name}, as bytes`);
     }
-    // A text with NULs is for the engine to say what is wrong with it; bytes that are no text are nothing to run.
+    // The engine reports the error of a text with NULs; bytes that are not text cannot be run.
     assert.equal(kindOfFile("strange.nc", "\0\u0001"), "program");
     assert.equal(kindOfFile("strange", new Uint8Array([0, 1])), "other");
     assert.deepEqual([isScript("A.LUA"), isScript("lua.nc")], [true, false]);

@@ -236,7 +236,7 @@ export default {
     assert.deepEqual(changed(), ["tool.toml"], "typed here");
     documents.put("tool.toml", "a = 1\n");
     assert.deepEqual(changed(), []);
-    // Of what the page has had, texts say whether it is another one.
+    // The texts show if a document that the page has had has changed.
     assert.deepEqual(changed({ "a.nc": "a2" }), []);
     documents.take("a.nc", bytesOf("G1 X9\n"));
     assert.deepEqual(changed({ "a.nc": "a2" }), ["a.nc"]);

@@ -1,4 +1,4 @@
-// Which way axes move the tool: sentences, senses, the picture; axes by directions and by tables.
+// Directions in which axes move the tool: messages, senses, the picture; axes by directions and by tables.
 
 #include "analysis/check/axis_motion.h"
 
@@ -66,7 +66,7 @@ TEST(AxisMotion, SentencesSayWhichWay) {
                             "+W moves the tool along (0.707 0 0.707)"));
 }
 
-// Against moves of the tip: what a sentence says is where the tip goes.
+// Comparison with moves of the TCP: the direction in a message is that of the TCP.
 TEST(AxisMotion, DirectionsAreThoseOfTheTip) {
     for (const char* name : {"af5.toml", "router3.toml", "mill-head-table.toml", "mill-table-table.toml",
                              "gantry-offset-head.toml", "unlimited.toml", "linuxcnc-gantry.toml"}) {
@@ -105,7 +105,8 @@ TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
     EXPECT_THAT(
         find_left_handed(axis_motions(read(directed('U', "x") + directed('V', "z") + directed('W', "y")))),
         ElementsAre(testing::StartsWith("U V W are left-handed")));
-    // A table that goes the way of its letter carries the work under the tool the wrong way.
+    // A table that moves in the direction of its letter carries the work under the tool in the wrong
+    // direction.
     EXPECT_EQ(
         find_left_handed(axis_motions(read(axis('X', "carries = \"work\"\nframe = { pitch_deg = 90.0 }") +
                                            directed('Y', "y") + directed('Z', "z"))))
@@ -133,7 +134,7 @@ TEST(AxisMotion, ThePictureHasAnArrowForEachAxis) {
     const std::string svg = axes_svg(sample("mill-table-table.toml"));
     for (const char* letter : {"+X", "+Y", "+Z", "+A", "+C"})
         EXPECT_THAT(svg, HasSubstr(fmt::format(">{}</text>", letter)));
-    // From the middle, Z goes straight up and X to the right.
+    // Z runs straight up from the middle, and X to the right.
     EXPECT_THAT(svg, HasSubstr("d=\"M320.0 220.0L450.0 220.0\""));
     EXPECT_THAT(svg, HasSubstr("d=\"M320.0 220.0L320.0 90.0\""));
     EXPECT_THAT(axes_svg(read(directed('Y', "x") + directed('X', "y") + directed('Z', "z"))),

@@ -22,7 +22,7 @@ MachineCheck check_of(const machine::Machine& machine) {
     return check_machine(machine, cell::cell_of_machine(machine).value());
 }
 
-/// The router with a ball at its tip and a post beside its box, at a distance.
+/// Returns the router with a ball at its TCP and a post next to its box, at a distance.
 machine::Machine router_beside_post(double distance_mm) {
     machine::Machine machine = sample("router3.toml");
     machine.shapes = {{"ball", "tool", machine::SphereShape{20}, {}},
@@ -47,7 +47,7 @@ TEST(JointBoxSearch, ProvesWhatIsJustFreeAndFindsWhatJustTouches) {
     EXPECT_FALSE(touching.is_clean());
 }
 
-// Where a contact is said to be the bodies do touch, by the watch of runs.
+// If a contact is reported, the bodies do touch, according to the monitor of runs.
 TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
     const machine::Machine machine = sample("arm6.toml");
     const cell::Cell cell = cell::cell_of_machine(machine).value();
@@ -70,7 +70,7 @@ TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
     }
 }
 
-// No random stance contradicts what is proven.
+// No random configuration contradicts what is proven.
 TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
     const machine::Machine machine = sample("mill-table-table.toml");
     const cell::Cell cell = cell::cell_of_machine(machine).value();
@@ -104,7 +104,7 @@ TEST(MachineCheck, FindsTheSingularRangesOfAnArm) {
     const machine::Machine machine = sample("arm6.toml");
     const SingularCheck check = check_singular(machine, machine::joint_box(machine));
     ASSERT_EQ(check.ranges.size(), 2U);
-    // The elbow is straight where the forearm's 431.8 and 20.3 mm point along the upper arm.
+    // The elbow is straight if the forearm's 431.8 and 20.3 mm point along the upper arm.
     const double straight = -std::atan2(431.8, 20.3);
     EXPECT_EQ(check.ranges[0].joint, 2);
     EXPECT_LT(check.ranges[0].low, straight);

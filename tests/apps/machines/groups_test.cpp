@@ -1,4 +1,4 @@
-// Groups of axes that go by themselves, as the look for collisions sees them.
+// Groups of independent axes in the check for collisions.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using AxisGroups = Apps;
 
-// A bar on a table, and 150 mm from its axis a ball that a slide takes up by 3 mm.
+// A bar on a table, and 150 mm from its axis a ball that a slide lifts by 3 mm.
 constexpr const char* kMachine = R"([machine]
 name = "bar and ball"
 [base]
@@ -43,7 +43,7 @@ on = "tool"
 shape = { sphere_mm = 10.0 }
 )";
 
-// The side of the bar comes to the ball where 150 mm sin(a) = 5 mm + 5 mm, a from the bar to the ball.
+// The side of the bar meets the ball at 150 mm sin(a) = 5 mm + 5 mm. The angle a is from the bar to the ball.
 TEST_F(AxisGroups, AnIndependentTableHitsTheToolAtItsTime) {
     write("bar.toml", kMachine);
     for (const std::string meanwhile : {"F(30) G1{z=3}", "group('table').wait()"}) {

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The near side of the plate is met where the tool's centre is at x = 294.5.
+/// The near side of the plate is touched if the tool's centre is at x = 294.5.
 constexpr const char* kPlate = R"(
 [cell]
 name = "a plate"
@@ -73,7 +73,7 @@ TEST_F(MachineFrames, AMovedBaseMeetsThePlateWhenTheTransformSays) {
                 -40 + (294.5 - 120) * std::tan(30 * M_PI / 180), 1e-4);
 }
 
-// The way to 200 would meet the plate from the base that the moves behind it have.
+// The path to 200 would hit the plate from the base that the later moves have.
 TEST_F(MachineFrames, MovesBeforeAreLookedAtWhereTheMachineStoodThen) {
     const std::string part = script("G1{x=200} G1{x=0} move_base(120, 0, 0) G1{x=150} G1{x=0}");
     EXPECT_TRUE(run({part, "--machine", machine_, "--cell", cell_}, 0)["collisions"].empty());

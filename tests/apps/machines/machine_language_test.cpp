@@ -39,7 +39,7 @@ TEST_F(MachineLanguage, TheDialectIsTheMachines) {
     EXPECT_EQ(gcode2lua({"--machine", m, "--dialect", "ab9", "part.ngc"}).status, 1) << "--dialect wins";
 }
 
-// It reads that table alone: what else stands there may be for a machine that it knows nothing of.
+// The translator reads that table alone: other content may be for a machine that it does not know.
 TEST_F(MachineLanguage, TranslatingNeedsNoMachine) {
     write("part.ngc", kNgc);
     write("odd.toml", "robot = { arms = 7 }\n[program]\ndialect = \"rs274ngc\"\n");

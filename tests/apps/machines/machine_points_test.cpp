@@ -1,5 +1,5 @@
-// Fixed and reference points in paths: written by each post, run with the same machine data, and looked at
-// where the machine stands.
+// Fixed and reference points in paths: written by each post, run with the same machine data, and checked at
+// the machine's positions.
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -37,7 +37,7 @@ class MachinePoints : public Apps {
         EXPECT_EQ(ended.out, "");
         return ended.err;
     }
-    /// Where the axes come to rest behind each move, and what kind of move it was.
+    /// Returns the kind of each move and the axis positions at its end.
     std::vector<std::pair<std::string, json>> driven(const std::string& program, const std::string& dialect,
                                                      std::vector<std::string> options) const {
         const std::string reads_as = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
@@ -64,8 +64,8 @@ const char* const kRouterData =
 const char* const kStart = R"({"motion": "rapid", "position_mm": [10, 20, -30]},)";
 const char* const kCut = R"({"position_mm": [10, 40, -35], "feed_mm_min": 1000},)";
 
-// Up, across, down; from there up again before the rapid to the work; and the cut is where it would be
-// without.
+// The moves are up, across, down; from there up again before the rapid to the work. The cut is where it would
+// be without the points.
 TEST_F(MachinePoints, EachPostLeadsThereAndBack) {
     path(std::string(kStart) + kCut + R"({"fixed": "park", "dwell_s": 0.5},)" + kStart + kCut +
          R"({"fixed": 7})");
@@ -86,7 +86,7 @@ TEST_F(MachinePoints, EachPostLeadsThereAndBack) {
     }
 }
 
-// The first one is up already, so Z goes first; the second one is below the way there.
+// The first point is up already, so Z moves first; the second one is below the path there.
 TEST_F(MachinePoints, ReferencePointsByTheWordsOfEachControl) {
     path(R"({"reference": 1},)" + std::string(kStart) + kCut + R"({"reference": 2, "actions": ["stop"]},)" +
          kStart + R"({"position_mm": [10, 40, -35]})");
@@ -116,8 +116,8 @@ TEST_F(MachinePoints, ReferencePointsByTheWordsOfEachControl) {
     }
 }
 
-// The tool leans at the point, and the plan goes on from there: the short way on, not from where it was
-// before.
+// The tool is tilted at the point, and the plan continues from there: by the short path, not from the earlier
+// position.
 TEST_F(MachinePoints, RotaryAxesStandWhereThePointHasThem) {
     path(R"({"motion": "rapid", "position_mm": [10, 20, 30], "rotary_deg": {"B": 0, "C": 0}},
             {"position_mm": [10, 40, 30], "feed_mm_min": 1000}, {"fixed": "CLAMP1"},
@@ -152,7 +152,8 @@ TEST_F(MachinePoints, RotaryAxesStandWhereThePointHasThem) {
     }
 }
 
-// On a machine whose tip swings as its axes turn, lines that were kept back come before the way to the point.
+// On a machine with a TCP that swings as its axes turn, pending lines are written before the path to the
+// point.
 TEST_F(MachinePoints, AMachineWhoseTipSwingsGoesThereToo) {
     const std::string machine = tests::source_path("samples/machines/mill-table-table.toml");
     path(R"({"motion": "rapid", "position_mm": [10, 10, 20], "rotary_deg": {"A": 0, "C": 0}},
@@ -209,7 +210,7 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
     EXPECT_TRUE(holds(of_router({"--machine-data", "e.txt"}), "out of reach: X 700 is outside 0 to 600"));
 }
 
-// Those of the machine data by their names, as fixed points; numbers are the control's own.
+// Those of the machine data are named, as fixed points are; numbers are the controller's own.
 TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
     const std::string data = write(
         "d.txt", "NCFILE\nFIXED\n1 1 1 -1 NAME=DOCK\nREFERENCE\n2 70 80 -25 NAME=Dock\n3 1 2 3\nENDFILE\n");
@@ -227,7 +228,7 @@ TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
               "(Dock), 3\n");
 }
 
-// Where a reference point lies only the control may know.
+// Only the controller may know where a reference point lies.
 TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
     path(std::string(kStart) + R"({"reference": 4})");
     const Ended ended = path2gcode({"p.path.json", "--machine", kRouter, "--dialect", "fanuc", "-o", "o.nc"});
@@ -262,7 +263,7 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
                       "the first motion behind a fixed or reference point must be a rapid"));
 }
 
-// A path may begin where the axes' orientation is not known yet: it is from its first point on.
+// A path may begin while the axes' orientation is not known yet; it is known from its first point on.
 TEST_F(MachinePoints, APathMayBeginAtOne) {
     const std::string data = write("d.txt", "NCFILE\nFIXED\n1 100 50 300\nENDFILE\n");
     path(R"({"fixed": 1}, {"path": "q"}, {"fixed": 1})", "",

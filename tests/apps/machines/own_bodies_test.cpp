@@ -1,4 +1,4 @@
-// The machine's own bodies ([[shape]] of its file) are looked at in each run, with a cell or without one.
+// The machine's own bodies ([[shape]] of its file) are checked in each run, with a cell or without one.
 
 #include <fmt/format.h>
 
@@ -74,7 +74,7 @@ TEST_F(OwnBodies, AreLeftOutWhereTheUserSaysSo) {
               "[cell]\nname = \"c\"\n[[object]]\nname = \"post\"\nshape = { sphere_mm = 50.0 }\n"
               "frame = { x_mm = 100.0 }\n");
     const json all = run({part_, "--machine", machine_file, "--cell", cell}, 1)["collisions"];
-    EXPECT_EQ(all.size(), 3U) << all;  // the post on the way there and back, the table between
+    EXPECT_EQ(all.size(), 3U) << all;  // the post on the path there and back, the table between
     EXPECT_FALSE(
         run({part_, "--machine", machine_file, "--cell", cell, "--no-collisions"}, 0).contains("cell"));
     EXPECT_EQ(gsim_run({"--check-machine", machine_file}).status, 1);
@@ -113,7 +113,7 @@ TEST_F(OwnBodies, WhoseMeshCannotBeReadAreNamed) {
     EXPECT_EQ(gsim_run({part_, "--machine", machine_file, "--no-collisions"}).status, 0);
 }
 
-// The program that reads such files is looked for beside the one that runs.
+// The program that reads such files is searched for next to the running one.
 TEST_F(OwnBodies, OfSolidsAreNamedWhereNothingReadsThem) {
     write("head.step", "ISO-10303-21;\n");
     const std::string machine_file =
@@ -129,7 +129,7 @@ TEST_F(OwnBodies, OfSolidsAreNamedWhereNothingReadsThem) {
         run_program(alone, {"run", "--machine", machine_file, "--no-collisions", part_}, folder_).status, 0);
 }
 
-// What a probe is to touch is the work, of which no file tells.
+// A probe is to touch the work, which no file describes.
 TEST_F(OwnBodies, AreNotFeltByAProbeWithoutACell) {
     const std::string part = write("probe.ngc", "G38.2 Z-50 F600\n(debug,#5070)\nG0 Z0\nM2\n");
     const json report = run({part, "--machine", machine(kBodies), "--dialect", "rs274ngc"}, 0);

@@ -1,4 +1,5 @@
-// Motors' peaks while the controller turns the work under the tip, and while the operator turns the override.
+// Motors' peaks while the controller turns the work under the TCP, and while the operator changes the
+// override.
 
 #include <cmath>
 #include <fstream>
@@ -26,7 +27,7 @@ void replace(std::string& text, const std::string& old, const std::string& by) {
     text.replace(at, old.size(), by);
 }
 
-/// The sample mill with masses and motors; none of them is a maker's.
+/// Returns the sample mill with masses and motors; none of the values is a manufacturer's.
 std::string mill(const std::string& controller) {
     std::string text = file_text(tests::source_path("samples/machines/mill-table-table.toml"));
     replace(text, "[path]",

@@ -33,7 +33,7 @@ class WorkFrames : public Apps {
         EXPECT_EQ(ended.status, 0) << ended.err;
         return ended.out;
     }
-    /// Where the axes are driven to, and why.
+    /// Returns where the axes are driven to, and why.
     json driven(const std::string& program, const std::string& dialect,
                 std::vector<std::string> options = {}) const {
         options.insert(options.end(), {write("x.nc", program), "--dialect", dialect, "--machine", kRouter,
@@ -62,7 +62,7 @@ class WorkFrames : public Apps {
     }
 };
 
-// The same path lies shifted by the offset, whoever has put it there.
+// The same path is shifted by the offset, whatever has set it.
 TEST_F(WorkFrames, APathLiesWhereItsFrameDoes) {
     for (const std::string dialect : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
         const std::string reads_as = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
@@ -81,7 +81,7 @@ TEST_F(WorkFrames, APathLiesWhereItsFrameDoes) {
     }
 }
 
-// Numbers are those of the path, words those of each control, and nothing holds beyond the program.
+// Numbers are those of the path, words those of each controller, and no setting remains after the program.
 TEST_F(WorkFrames, EachControlSaysItInItsWords) {
     const std::vector<std::string> options = {part(), "--work-offset", "G55", "--set-offset", "100", "50",
                                               "0",    "--tool",        "3"};
@@ -101,7 +101,7 @@ TEST_F(WorkFrames, EachControlSaysItInItsWords) {
     EXPECT_TRUE(holds(written("rs274ngc", {part(), "--tool", "3", "--retract", "-5"}), "G53 G00 Z-5\nT3\n"));
 }
 
-// A tool that is longer by 4 mm keeps its tip on the path: Z is 4 mm higher, but for the way up.
+// A tool that is longer by 4 mm keeps its TCP on the path: Z is 4 mm higher, except on the move up.
 TEST_F(WorkFrames, TheLengthOfTheToolCounts) {
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         const std::string program = written(dialect, {part(), "--work-offset", "G55", "--tool", "3"});
@@ -146,7 +146,7 @@ TEST_F(WorkFrames, ARecordedRunKeepsFrameAndTool) {
     }
 }
 
-// What a recorded path does not show as it was is said.
+// The run reports what the recorded path does not show as it was.
 TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
     for (const std::string dialect : {"ab9", "rs274ngc"}) {
         const auto notes = [&](std::vector<std::string> options, const std::string& tools) {

@@ -1,5 +1,5 @@
-// Blanks that are engraved on the moving belt (samples/cell/cell.lua), against what geometry says of times
-// and places.
+// Blanks that are engraved on the moving belt (samples/cell/cell.lua), compared with times and positions from
+// geometry.
 
 #include <array>
 #include <cmath>
@@ -20,11 +20,11 @@ using Belt = Apps;
 // The conveyor and the right gantry, 1000 mm further on (robots.toml, router3.toml).
 constexpr double kBelt_mm_s = 20;
 constexpr double kBase_mm = 1000;
-constexpr double kCatch_mm = 950;  // that a blank has gone when the gantry takes up with the belt
+constexpr double kCatch_mm = 950;  // travel of a blank when the gantry starts to follow the belt
 constexpr double kAcceleration_mm_s2 = 500;
 constexpr double kRapid_mm_s = 150;
 constexpr double kFeed_mm_s = 100;
-constexpr double kTakeUp_s = kBelt_mm_s / kAcceleration_mm_s2;  // from rest to the belt's speed
+constexpr double kTakeUp_s = kBelt_mm_s / kAcceleration_mm_s2;  // from standstill to the belt's speed
 constexpr double kCorner_mm = 100;                              // X and Y of the blank where it is laid
 constexpr double kTime_s = 1e-8;                                // reports have nine decimals
 
@@ -41,7 +41,7 @@ double rest_to_rest_s(double way_mm, double speed_mm_s) {
     return way_mm / speed_mm_s + speed_mm_s / kAcceleration_mm_s2;
 }
 
-// How far a motion from rest to rest has come after a time.
+// Returns the distance of a motion from standstill to standstill after a time.
 double way_after(double t_s, double way_mm, double speed_mm_s) {
     const double whole_s = rest_to_rest_s(way_mm, speed_mm_s);
     const double ramp_s = speed_mm_s / kAcceleration_mm_s2;
@@ -66,7 +66,7 @@ class BeltRun {
 
   private:
     json report_;
-    std::vector<double> laid_mm_;  ///< How far the belt had gone when each blank was laid on it.
+    std::vector<double> laid_mm_;  ///< Travel of the belt when each blank was laid on it.
 };
 
 // When the strokes of a blank begin, the first one and so on, and when the last one ends.
@@ -106,8 +106,8 @@ TEST_F(Belt, EachBlankIsCaughtAndEngravedAtItsTime) {
     }
 }
 
-// In the world the blank has gone as far as the belt since it was laid; on it the tool goes from rest to
-// rest.
+// In the world the blank has moved as far as the belt since it was laid. On the blank the tool moves from
+// standstill to standstill.
 TEST_F(Belt, TheToolIsWhereItShouldBeOnTheBlankAtEachInstant) {
     const Ended ended = gsim_run(sample({"--trajectory", "t.csv", "--step", "0.01"}));
     ASSERT_EQ(ended.status, 0) << ended.err;

@@ -1,4 +1,4 @@
-// Programs that are called and stand in files of their own beside the main one.
+// Programs that are called from files of their own next to the main one.
 
 #include "base/text/json.h"
 #include "tests/apps/run_program.h"

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-// x = v (t - v / 2a) of each, from when it starts: the balls touch where both ways together are 700 - 40 mm.
+// x = v (t - v / 2a) of each, from its start: the balls touch if both distances together are 700 - 40 mm.
 TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
     const Ended e = meet(0);
     EXPECT_EQ(e.status, 1) << e.err;
@@ -22,7 +22,7 @@ TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
         EXPECT_EQ(collisions[0]["line"], i == 0 ? 2 : 6);
         EXPECT_EQ(collisions[0]["pair"], json::array({"ball", i == 0 ? "right: ball" : "left: ball"}));
         EXPECT_EQ(collisions[0]["kind"], "penetrating");
-        // Each in its own world.
+        // Each point is in its own world.
         EXPECT_NEAR(collisions[0]["point_mm"][0].get<double>(), i == 0 ? left_mm : 700 - left_mm, 1e-5);
         EXPECT_EQ(robots[i]["cell"]["looked_at"]["with_robots"], 1);
     }
@@ -48,7 +48,8 @@ TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
                            "each other; give each a base"}));
 }
 
-// A program that its own process runs far ahead is looked at all the same, and what it hits stands there.
+// A program that its own process runs far ahead is checked all the same, and a body that it hits is at
+// standstill there.
 TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
     meet(0);
     std::string program = "G21 G90 F6000\n";
@@ -63,12 +64,12 @@ TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
     ASSERT_EQ(robots[0]["collisions"].size(), 1U);
     ASSERT_EQ(robots[1]["collisions"].size(), 1U);
     EXPECT_EQ(robots[0]["collisions"][0]["line"], 40'002);
-    // It stands where its last move has ended, at 600 in the world of the left one.
+    // The robot stays at the end of its last move, at 600 in the world of the left one.
     EXPECT_EQ(robots[1]["collisions"][0]["line"], 2);
     EXPECT_NEAR(robots[0]["collisions"][0]["point_mm"][0].get<double>(), 700 - 100 - 20, 1e-5);
 }
 
-// What a process has planned to its end is looked at, also where the other one's clock is ahead of it.
+// The motion that a process has planned to its end is checked, even if the other one's clock is ahead of it.
 TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
     meet(0);
     write("ended.lua",
@@ -85,7 +86,8 @@ TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
     }
 }
 
-// The motion of a robot beside a conveyor is looked at only when what the conveyor does meanwhile is known.
+// The motion of a robot next to a conveyor is checked only after the simultaneous motion of the conveyor is
+// known.
 TEST_F(TwoSlides, AreLookedAtBesideAConveyor) {
     write("slide.toml", kSlide);
     write("belt_cell.toml",

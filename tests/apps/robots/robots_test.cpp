@@ -1,4 +1,4 @@
-// Several robots in one run: the sample cell, files of their own, and what is refused.
+// Several robots in one run: the sample cell, files of their own, and errors.
 
 #include <fmt/format.h>
 
@@ -91,7 +91,7 @@ TEST_F(Robots, AConveyorIsFollowed) {
     ASSERT_EQ(report["status"], "completed") << report["alarm"];
     EXPECT_NEAR(report["signals"][0]["t_s"].get<double>(), 2, 1e-9);
     EXPECT_NEAR(std::stod(report["signals"][0]["value"].get<std::string>()), 100, 1e-9);
-    // At Y0 of the belt it is where the belt has gone.
+    // At Y0 of the belt the robot is where the belt has moved to.
     EXPECT_GT(report["robots"][1]["bounds"]["Y"]["max"], 150);
 }
 
@@ -129,10 +129,11 @@ shape = { sphere_mm = 10.0 }
     ASSERT_EQ(robots[0]["collisions"].size(), 1U);
     EXPECT_NEAR(robots[0]["collisions"][0]["t_s"].get<double>(), 2 + (500 - 5.05 - 100) / 25, 1e-6);
     EXPECT_EQ(robots[0]["collisions"][0]["line"], 3);
-    EXPECT_TRUE(robots[1]["collisions"].empty());  // in whose world the belt runs along -X
+    EXPECT_TRUE(robots[1]["collisions"].empty());  // in its world the belt runs along -X
 }
 
-// Rapids of 250 mm, feed moves of 100 mm, from rest to rest: d / v + v / a; and half a second at the fixture.
+// Rapids of 250 mm, feed moves of 100 mm, from standstill to standstill: d / v + v / a; and half a second at
+// the fixture.
 TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
     const Ended e = gsim_run({"--robots", kSample + "slides.toml", kSample + "slides.lua", "--json"});
     ASSERT_EQ(e.status, 0) << e.err;

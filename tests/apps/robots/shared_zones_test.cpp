@@ -30,7 +30,7 @@ class SharedZones : public TwoSlides {
     }
 };
 
-// Rapids of 250 mm and feed moves of 100 mm, from rest to rest: d / v + v / a.
+// Rapids of 250 mm and feed moves of 100 mm, from standstill to standstill: d / v + v / a.
 TEST_F(SharedZones, TheSecondWaitsUntilTheFirstHasLeft) {
     const std::string work =
         "G0{x=250}\nenter_zone 'fixture'\nF(6000) G1{x=350}\nG1{x=250}\nleave_zone 'fixture'\n";
@@ -66,7 +66,8 @@ TEST_F(SharedZones, WhoEntersWhatAnotherHasIsTold) {
     EXPECT_TRUE(report["zones"][0]["to_s"].is_null());
 }
 
-// One that is inside when another takes the zone is told from then on; one that nobody has may be entered.
+// A robot that is inside when another takes the zone is reported from then on; a zone without a holder may be
+// entered.
 TEST_F(SharedZones, WhoIsInsideWhenItIsTakenIsTold) {
     const json report = share("wait(7)\nenter_zone 'fixture'\n", "G1{x=300}\nwait(4)\nG1{x=0}\n", 1);
     ASSERT_EQ(report["robots"][1]["collisions"].size(), 1U) << report;
@@ -74,7 +75,7 @@ TEST_F(SharedZones, WhoIsInsideWhenItIsTakenIsTold) {
     EXPECT_EQ(report["robots"][1]["collisions"][0]["line"], 7);
 }
 
-// Whose robot it is counts, not what the process moves when it takes the zone.
+// The owner of the robot counts, not what the process moves when it takes the zone.
 TEST_F(SharedZones, AProcessMayBeInItsOwnWithEachOfItsRobots) {
     EXPECT_TRUE(share("G0{x=320}\nG0{x=0}\n", "", 0)["zones"].empty());
     write("before.lua",
@@ -118,7 +119,7 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
         holds(share("leave_zone 'table'\n", "", 1)["alarm"]["message"], "does not have the zone 'table'"));
 }
 
-// With a device that goes on for ever, too: without, nothing can go on.
+// A device that runs endlessly does not hide the dead-lock; without one, no process can continue.
 TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
     share("", "", 0);
     const std::string device = "device('belt', function() while true do wait(0.5) end end)\n";

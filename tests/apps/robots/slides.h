@@ -4,8 +4,8 @@
 
 namespace gsim::apps {
 
-/// A machine file: slides X, Y and Z that are at their speed at once, so that X goes from 0 at 100 mm/s with
-/// F6000. No bodies.
+/// Returns a machine file: slides X, Y and Z that are at their speed at once, so that X moves from 0 at 100
+/// mm/s with F6000. It has no bodies.
 inline std::string slides(const std::string& name) {
     return "[machine]\nname = \"" + name + "\"\ninverse = \"none\"" + R"(
 [[axis]]

@@ -52,7 +52,8 @@ shape = { sphere_mm = 40.0 }
 
 class TwoSlides : public Apps {
   protected:
-    /// The right one stands 700 mm further on and comes towards the left one, `y_mm` beside it.
+    /// Runs both robots: the right one is 700 mm further on and moves towards the left one, `y_mm` off its
+    /// line.
     Ended meet(double y_mm, const std::vector<std::string>& more = {"--json"}) const {
         write("slide.toml", kSlide);
         write("two.toml", fmt::format("[[robot]]\nname = \"left\"\nmachine = \"slide.toml\"\n"

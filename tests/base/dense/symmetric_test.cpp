@@ -9,7 +9,7 @@
 namespace gsim::base {
 namespace {
 
-/// The matrix of the second difference, whose eigenvalues are known: 2 - 2 cos(k pi / (size + 1)).
+/// Returns the matrix of the second difference with known eigenvalues: 2 - 2 cos(k pi / (size + 1)).
 Eigen::MatrixXd second_difference(Eigen::Index size) {
     Eigen::MatrixXd matrix = 2 * Eigen::MatrixXd::Identity(size, size);
     matrix.diagonal(1).setConstant(-1);
@@ -31,7 +31,7 @@ TEST(Symmetric, EigenvaluesAscend) {
 }
 
 TEST(Symmetric, SolvesAndInverts) {
-    // Of the second difference: min(i, k) (size + 1 - max(i, k)) / (size + 1).
+    // The inverse of the second difference: min(i, k) (size + 1 - max(i, k)) / (size + 1).
     const Eigen::Index size = 6;
     const Eigen::MatrixXd matrix = second_difference(size);
     const Eigen::MatrixXd inverse = inverse_of_positive(matrix);

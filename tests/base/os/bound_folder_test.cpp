@@ -21,7 +21,7 @@ using testing::ElementsAre;
 constexpr std::size_t kMost = 1000;
 constexpr std::size_t kLarge = std::size_t{1} << 20U;
 
-/// A folder with another one beside it that nobody may look into.
+/// Folder with another one next to it that must not be accessed.
 class BoundFolderTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -156,7 +156,7 @@ TEST_F(BoundFolderTest, WritesWhatWasReadAndKeepsItsPermissions) {
     EXPECT_EQ(folder_->tag_of("part.nc"), *written);
     EXPECT_NE(tag, *written);
     EXPECT_EQ(fs::status(around_ / "in/part.nc").permissions(), fs::perms(0640));
-    EXPECT_EQ(std::distance(fs::directory_iterator(around_ / "in"), {}), 2);  // nothing is left beside it
+    EXPECT_EQ(std::distance(fs::directory_iterator(around_ / "in"), {}), 2);  // no other file remains in it
 }
 
 TEST_F(BoundFolderTest, NewFilesAreMadeWithTheirFolders) {
@@ -184,7 +184,7 @@ TEST_F(BoundFolderTest, WhatAnotherProgramSavedStays) {
     EXPECT_FALSE(fs::exists(around_ / "in/part.nc"));
 }
 
-// Between the look at the file and the change of its name.
+// The other program saves between the check of the file and its renaming.
 TEST_F(BoundFolderTest, WhatAnotherProgramSavesMeanwhileStays) {
     for (const bool is_new : {false, true}) {
         const std::string name = is_new ? "fresh.nc" : "part.nc";

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The errno of opening a file, 0 if that goes well.
+/// Returns the errno of opening a file, or 0 on success.
 int error_of_opening(const fs::path& path, int flags) {
     const Descriptor opened(::open(path.c_str(), flags | O_CLOEXEC, 0600));
     return opened.number() < 0 ? errno : 0;
@@ -34,7 +34,7 @@ void write_text(const fs::path& path) {
     std::fclose(file);
 }
 
-/// Of a process of its own, since there is no way back.
+/// Confinement of a separate process, because it cannot be undone.
 class Confinement : public testing::Test {
   protected:
     Confinement() {
@@ -50,7 +50,8 @@ class Confinement : public testing::Test {
     }
     ~Confinement() override { fs::remove_all(folder_); }
 
-    /// What `look` gives in a process that is confined to allowed_; -1 where the system cannot confine.
+    /// Returns the result of `look` in a process that is confined to allowed_, or -1 if the system cannot
+    /// confine.
     int confined(const std::function<int()>& look) const {
         const pid_t child = ::fork();
         if (child == 0) {

@@ -59,7 +59,7 @@ TEST_F(FileIdentityTest, IsNotThatOfAFileWhichIsMadeWhenItIsGone) {
     }
 }
 
-// As where another run writes it between two looks.
+// The case occurs if another run writes the file between two checks.
 TEST_F(FileIdentityTest, IsThatOfTheFileWhichTookItsPlace) {
     fs::create_symlink("a", folder_ / "symbolic");
     const auto before = identity_of(folder_ / "a");

@@ -95,7 +95,7 @@ TEST_F(OutputFileTest, IsBroughtToTheDiskWhereAsked) {
     EXPECT_TRUE(write_file("/dev/null", "new", Reach::disk));
 }
 
-// The buffer of the stream is empty again when commit() looks.
+// The buffer of the stream is empty again when commit() checks it.
 TEST(OutputFile, TheReasonOfAnEarlyFailureIsKept) {
     auto file = OutputFile::open("/dev/full");
     if (!file) GTEST_SKIP() << file.error();

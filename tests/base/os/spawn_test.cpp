@@ -14,7 +14,7 @@
 namespace gsim::os {
 namespace {
 
-/// What a program that is begun writes.
+/// Returns the output of a program that is started.
 std::string said_by(const std::vector<std::string>& command, ProcessGroup group = ProcessGroup::ours) {
     const FileHandle output = file_in_memory("output");
     SpawnActions actions;

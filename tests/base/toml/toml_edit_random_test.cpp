@@ -64,7 +64,7 @@ std::vector<std::string> lines(const std::string& text) {
     return all;
 }
 
-/// How many lines of `before` are not in `after`, in any order; blank ones left out.
+/// Returns the number of lines of `before` that are not in `after`, in any order, without blank ones.
 std::size_t lost_lines(const std::string& before, const std::string& after) {
     std::map<std::string, int> counts;
     for (const std::string& line : lines(after)) ++counts[line];
@@ -75,7 +75,7 @@ std::size_t lost_lines(const std::string& before, const std::string& after) {
     return lost;
 }
 
-/// Of these the ones with a comment.
+/// Returns the number of these with a comment.
 std::size_t lost_comments(const std::string& before, const std::string& after) {
     std::string commented;
     for (const std::string& line : lines(before)) {
@@ -149,7 +149,7 @@ class RandomEdits {
         EXPECT_EQ(edit.value(), *toml_json(text_, "sample"));
     }
 
-    // Some of its elements and one of them twice, in another order: no comment stands behind another value.
+    // Sets some of its elements, one of them twice, in another order: no comment may follow another value.
     void set_list(TomlEdit& edit, const TomlPath& path, const json& old) {
         if (!old.is_array() || old.empty()) return;
         ordered_json value = ordered_json::array({any(old)});
@@ -248,7 +248,7 @@ class RandomEdits {
     std::vector<TomlPath> paths_;
 };
 
-/// Each of ten numbers with a comment above it, or behind it, or none.
+/// Each of ten numbers has a comment above it, or after it, or none.
 TEST(TomlEditAtRandom, CommentsOfAListStayWithItsElements) {
     std::mt19937 random(11);
     for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
@@ -267,7 +267,7 @@ TEST(TomlEditAtRandom, CommentsOfAListStayWithItsElements) {
         ASSERT_TRUE(edit->set({"a"}, value));
         SCOPED_TRACE(text + value.dump() + edit->text());
         EXPECT_EQ(edit->value(), json({{"a", json(value)}}));
-        // One that has come in the place of another has that one's comment.
+        // A value that has replaced another one has that one's comment.
         for (const std::string& line : lines(edit->text())) {
             const std::size_t at = line.find(", # behind ");
             if (at == std::string::npos || line.starts_with("  10,")) continue;

@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The text after a change, or why there is none.
+/// Returns the text after a change, or the error.
 template <typename Change>
 std::string after(const std::string& text, const Change& change) {
     auto edit = TomlEdit::read(text, "part.toml");
@@ -228,7 +228,7 @@ TEST(TomlEdit, AnElementOfAListKeepsItsCommentsAndTakesThemAlong) {
     EXPECT_EQ(set_clamps({"more", "left", "middle", "right"}), with(kClamps, left, "  \"more\",\n" + left));
     EXPECT_EQ(set_clamps({"right", "left", "middle"}),
               "clamps = [\n" + right + "  # between\n\n" + left + "  \"middle\",\n]\n");
-    // Of two that are left of three none is known to be another one's.
+    // If two of three elements remain, no element is known to replace another one.
     EXPECT_EQ(set_clamps({"left", "both"}), with(with(kClamps, right, ""), "  # between\n\n  \"middle\",\n",
                                                  "  \"both\",\n  # between\n\n"));
     EXPECT_EQ(set("a = [\n  # all\n  1, # one\n  2,\n  3 # three\n]\n", {"a"}, {2, 3}),

@@ -100,7 +100,7 @@ std::vector<BlackBox> black_boxes(const std::vector<accuracy::Recording>& record
 machine::Machine without_inside(machine::Machine machine) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     rrs::ControllerRules generic;
-    // What its manual says of words: whether it has arcs and boring cycles, and how it drills.
+    // These are known from its manual: whether it has arcs and boring cycles, and how it drills.
     generic.arc_resolution_mm = machine.controller.arc_resolution_mm;
     generic.boring_cycles = machine.controller.boring_cycles;
     generic.pecks_feed_down = machine.controller.pecks_feed_down;

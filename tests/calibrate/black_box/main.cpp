@@ -1,4 +1,4 @@
-// How near generic models come to recorded controls that they are fitted to as black boxes.
+// Accuracy of generic models that are fitted to recorded controllers as black boxes.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr int kGood = 0;
 constexpr int kOff = 1;
 constexpr int kUsage = 2;
 constexpr int kSkipped = 77;
-constexpr double kMost_percent = 3;  // of a run, as Realistic Robot Simulation I asks for
+constexpr double kMost_percent = 3;  // of a run, as Realistic Robot Simulation I requires
 constexpr double kMean_percent = 1;
 
 struct Arguments {
@@ -89,7 +89,7 @@ void print_outcome(const BlackBox& box, BoxOutcome outcome, const Arguments& arg
     std::fflush(stdout);
 }
 
-/// How all boxes fared.
+/// Results of all boxes.
 struct Sums {
     std::size_t boxes = 0;
     std::size_t good = 0;  ///< Boxes with all runs within 3 %, and 1 % in the mean.

@@ -44,7 +44,8 @@ TEST(Autopath, ACircleIsCutWithItsLeads) {
     EXPECT_GT(distance(ways[0].pierce, {50, 50}), 10.4);
 }
 
-// Plates with holes, anything in any place: the jet's way is never nearer to a contour than half of the kerf.
+// Plates have random holes at any position: the jet's path is never nearer to a contour than half of the
+// kerf.
 TEST(Autopath, TheJetSparesAllParts) {
     std::mt19937 random(61);
     for (int i = 0; i < 10; ++i) {
@@ -122,7 +123,7 @@ TEST(Autopath, ABevelLeansOverTheWaste) {
         const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
         EXPECT_NEAR(axis[2], std::cos(std::numbers::pi / 6), 1e-9);
         EXPECT_NEAR(std::hypot(axis[0], axis[1]), 0.5, 1e-9);
-        // Behind the upper edge of the rectangle the waste is above. The tip is 3 mm over the material.
+        // Beyond the upper edge of the rectangle the waste is above. The TCP is 3 mm over the material.
         const double way = 30 + 0.4 / std::cos(std::numbers::pi / 6) + 3 * std::tan(std::numbers::pi / 6);
         if (std::abs(point.position_mm[1] - way) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
     }
@@ -139,7 +140,7 @@ Point cut_at(const path::Point& point, double depth_mm) {
     return middle - 0.4 / std::cos(lean_rad) * to_waste;
 }
 
-// A box with a bevel of its own on each side, and a conical hole.
+// A box has a bevel of its own on each side, and a conical hole.
 TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
     constexpr double kDepth = 10;
     drawing::Drawing drawing;
@@ -189,7 +190,7 @@ TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
     EXPECT_GE(curved, 2U);
 }
 
-// Where the tip would stand still over the middle of a hole the tool turns there.
+// If the TCP would stand still over the middle of a hole, the tool turns there.
 TEST(Autopath, ATipOverTheMiddleOfAHoleTurnsTheTool) {
     AutopathOptions options;
     options.program.bevel_deg = 45;

@@ -1,4 +1,4 @@
-// Contours that other programs drew, where their drawings are installed: the areas within their offsets are
+// Contours that other programs drew, if their drawings are installed. The areas within their offsets are
 // those that the Clipper library computes from points along them.
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using geometry::Contour;
 
-// How many contours of a drawing were compared.
+// Returns the number of contours of a drawing that were compared.
 int compare_offsets(const fs::path& path) {
     constexpr double kKerf_mm = 0.8;
     const auto drawing = drawing::read_drawing(path, {});

@@ -109,7 +109,7 @@ std::string fitted(const std::string& flags, const std::vector<geometry::Point>&
     return dxf_of(spline);
 }
 
-// Points of a circle: what goes through them smoothly is nearly that circle.
+// A smooth curve through points of a circle is nearly that circle.
 TEST(Dxf, ASplineThroughItsFitPoints) {
     std::vector<geometry::Point> points;
     for (int i = 0; i <= 12; ++i) {

@@ -1,4 +1,4 @@
-// Drawings that other programs wrote, where those are installed.
+// Drawings of other programs, if those are installed.
 
 #include <cstdlib>
 #include <filesystem>
@@ -45,7 +45,7 @@ class Foreign : public testing::Test {
     fs::path folder_;
 };
 
-// Of a regular polygon in a circle.
+// Returns the area of a polygon in a circle.
 double polygon_area(double radius, int corners) {
     return corners * radius * radius / 2 * std::sin(2 * std::numbers::pi / corners);
 }
@@ -77,7 +77,7 @@ TEST_F(Foreign, Inkscape) {
                                      testing::DoubleNear(2400 - (4 - std::numbers::pi) * 16, 0.1)));
 }
 
-// All of the parts that LibreCAD comes with. Some hold entities without a size, which nothing can be cut by.
+// All parts of LibreCAD are read. Some hold entities without a size, which cannot be cut.
 TEST_F(Foreign, LibreCadLibrary) {
     const fs::path library = "/usr/share/librecad/library";
     if (!fs::exists(library)) GTEST_SKIP() << "librecad-data is not installed";

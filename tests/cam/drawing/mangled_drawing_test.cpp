@@ -1,4 +1,4 @@
-// Drawings with bytes changed, left out and doubled: they are read or refused, and nothing else happens.
+// Drawings with bytes changed, left out and doubled: they are read or rejected, without any other effect.
 
 #include <random>
 

@@ -1,4 +1,4 @@
-// What is seldom in DXF files: units of old and large drawings, unequal scales, curves that cannot be read.
+// Rare content of DXF files: units of old and large drawings, unequal scales, curves that cannot be read.
 
 #include <functional>
 #include <numbers>

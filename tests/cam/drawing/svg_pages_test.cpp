@@ -1,4 +1,4 @@
-// Pages within pages of SVG: symbols, inner svg elements, and what is wrong with them.
+// Pages within pages of SVG: symbols, inner svg elements, and their errors.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -64,7 +64,7 @@ Point line(double x, double y, double z, std::vector<std::string> actions = {}) 
 
 const path::ToolAxis kUpright{{0, 0, 1}};
 
-// Cuts of 20 mm along x from some places, each a path, with rapids 25 mm above between them.
+// Returns cuts of 20 mm along x from some positions, each a path, with rapids 25 mm above between them.
 path::Program cuts_at(const std::vector<path::Vector>& places, const path::ToolAxis& axis = kUpright) {
     path::Program program;
     program.name = "cuts";
@@ -100,7 +100,7 @@ class ClearWays : public ::testing::Test {
 
     AxisValues start() const { return space_->home(); }
 
-    // Once more, by the watch of runs alone.
+    // Checks once more, by the monitor of runs alone.
     void look(const path::Program& program, const RapidSpace& space, const Origin& origin) {
         cell::ClearanceWatch watch(*cell_, machine_);
         const auto steps = axis_way(program, *space_, origin).value();
@@ -122,7 +122,7 @@ class ClearWays : public ::testing::Test {
     std::optional<path::MachineSpace> space_;
     std::size_t contacts_ = 0;
     double least_mm_ = 0;           ///< In rapids, or the clearance.
-    std::vector<AxisValues> cuts_;  ///< Where they end.
+    std::vector<AxisValues> cuts_;  ///< Their end positions.
 };
 
 const std::vector<path::Vector> kTwo{{300, 300, 100}, {500, 300, 100}};
@@ -159,7 +159,7 @@ TEST_F(ClearWays, AnOriginOfTheProgramCounts) {
     EXPECT_EQ(cuts_[1][0], 520);
 }
 
-// A roof over both cuts and a wall between them: there is a way neither straight nor up.
+// With a roof over both cuts and a wall between them, the clear path is neither straight nor up.
 TEST_F(ClearWays, UnderARoofAWallIsPassedAtItsSide) {
     path::Program program = cuts_at(kTwo);
     const std::string objects = box("wall", "20, 300, 160", 410, 300, 80) +  // y from 150 to 450
@@ -181,11 +181,12 @@ TEST_F(ClearWays, ALeaningToolStandsAgainAsItStood) {
     EXPECT_EQ(cuts_.size(), 2U);
 }
 
-// Each axis by itself: X is there long before B has turned, so that the way is not the straight one.
+// Each axis moves independently: X arrives long before B has turned, so the path is not the straight one.
 TEST_F(ClearWays, RapidsThatAreNotInterpolatedAreLookedAtAsTheyGo) {
     machine_ = pin_machine(false);
     path::Program program = cuts_at({{300, 300, 100}, {500, 380, 100}});
-    // On neither straight way, but beside: X and Y go at the same pace first, at 45 degrees.
+    // The post is on neither straight path, but next to it: X and Y first move at the same speed, at 45
+    // degrees.
     const Transit transit = lead(program, box("post", "10, 10, 200", 392, 372, 100));
     EXPECT_EQ(transit.changed, 1U);
     EXPECT_EQ(contacts_, 0U);
@@ -225,7 +226,7 @@ TEST_F(ClearWays, APlaceThatIsWalledInIsNotReached) {
     EXPECT_NE(transit.faults[0].sentence.find("no way was found"), std::string::npos);
 }
 
-// The end of the last path leads up into something; nobody needs to go there.
+// The end of the last path leads up into a body, but no move needs to reach it.
 TEST_F(ClearWays, BehindTheLastCutTheToolGoesNoFartherThanItCan) {
     path::Program program = cuts_at(kTwo);
     const Transit transit = lead(program, box("beam", "20, 100, 20", 520, 300, 195));  // from 185 on

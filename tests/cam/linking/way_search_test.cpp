@@ -17,7 +17,7 @@ AxisValues at(std::initializer_list<double> values) {
     return place;
 }
 
-/// A box that no way may enter; of which the last axes may be left out.
+/// Box that no path may enter; its last axes may be left out.
 struct Box {
     std::vector<double> low, high;
 };
@@ -80,7 +80,7 @@ TEST(WaySearch, NothingInTheWayIsOneStraightWay) {
     EXPECT_EQ(search_way(room.space, at({10, 10}), at({90, 90}), kQuestions), (Way{at({90, 90})}));
 }
 
-// Past one edge of a wall; the shortest way is two straight lines over it.
+// The path passes one edge of a wall; the shortest path is two straight lines over it.
 TEST(WaySearch, GoesRoundAWall) {
     Room room(at({0, 0}), at({100, 100}), {{{45, -1}, {55, 60}}});
     const double shortest = 2 * std::hypot(35, 50) + 10;
@@ -88,7 +88,7 @@ TEST(WaySearch, GoesRoundAWall) {
 }
 
 TEST(WaySearch, FindsADoorInThreeDimensions) {
-    // A wall across the room with a door of 12 by 12.
+    // A wall across the space with a door of 12 by 12.
     const std::vector<Box> walls{{{48, -1, -1}, {52, 70, 101}},
                                  {{48, 82, -1}, {52, 101, 101}},
                                  {{48, -1, -1}, {52, 101, 20}},
@@ -99,7 +99,7 @@ TEST(WaySearch, FindsADoorInThreeDimensions) {
     room.expect_way(at({10, 10, 90}), at({90, 10, 90}), 1.1 * by_middle);
 }
 
-// The way is clear only with the last axis turned, which has to turn back behind it.
+// The path is clear only if the last axis is turned, and that axis must turn back after it.
 TEST(WaySearch, TurnsToComeThrough) {
     std::vector<Box> walls{{{40, -1, -101}, {60, 101, 40}}};  // passable with the third axis above 40
     Room room(at({0, 0, -100}), at({100, 100, 100}), walls);

@@ -37,7 +37,7 @@ class Contours : public testing::Test {
         const auto read = read_contours(file_, options);
         return read ? "" : read.error();
     }
-    // The edge that goes round a hole, on the upper side.
+    // Returns the edge that runs round a hole, on the upper side.
     std::string edge_at(double x_mm) const {
         for (const WallContour& contour : read({.kind = "holes"}).contours) {
             const Triple& at = contour.edges.front().points.front().position_mm;
@@ -59,7 +59,7 @@ TEST_F(Contours, AnEdgeChoosesTheContourThatHasIt) {
         EXPECT_EQ(one.contours.front().edges.front().label, edge);
         for (const WallPoint& point : one.contours.front().edges.front().points)
             EXPECT_NEAR(std::hypot(point.position_mm[0] - 60, point.position_mm[1] - 25), 5, 1e-6);
-        // What else the part has is not told of: nobody asked for it.
+        // The other features of the part are not reported, because they were not requested.
         EXPECT_TRUE(one.notes.empty());
     }
     EXPECT_EQ(read({.kind = "holes", .edges = {edge, edge.substr(1)}}).contours.size(), 1U);
@@ -93,7 +93,7 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
 }
 
 TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
-    // The blind hole's contour is told of where all are cut, with no number of an edge.
+    // The blind hole's contour is reported if all are cut, with no number of an edge.
     const WallContours all = read({.kind = "holes"});
     ASSERT_EQ(all.notes.size(), 2U);
     EXPECT_THAT(all.notes.front(), HasSubstr("does not go through: below edge #"));
@@ -116,14 +116,14 @@ TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
     ASSERT_EQ(chain.edges.size(), 2U);
     EXPECT_EQ(chain.edges[0].label, front);
     EXPECT_EQ(chain.edges[1].label, right);
-    // Seen from above, the plate is to the left of a way towards +X along its front.
+    // Seen from above, the plate is to the left of a path towards +X along its front.
     EXPECT_EQ(chain.edges[0].points.front().position_mm, (Triple{0, 0, 0}));
     EXPECT_EQ(chain.edges[1].points.back().position_mm, (Triple{80, 50, 0}));
     EXPECT_NEAR(chain.edges[0].points.front().tangent[0], 1, 1e-9);
     for (const WallEdge& edge : chain.edges) {
         for (const WallPoint& point : edge.points) EXPECT_NEAR(point.depth_mm, 10, 1e-6);
     }
-    // Edges that share no ends are chains of their own.
+    // Edges that share no ends are separate chains.
     const WallContours apart = read({.kind = "edges", .edges = {right, left}});
     ASSERT_EQ(apart.contours.size(), 2U);
     for (const WallContour& each : apart.contours) EXPECT_TRUE(each.is_open);
@@ -161,7 +161,7 @@ TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
     EXPECT_TRUE(read({.kind = "all"}).other_edges.empty());
 }
 
-// Nothing of such a file tells them apart.
+// Such a file does not distinguish them.
 TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
     const auto file =
         folder_.iges("plate.iges", without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)}));
@@ -191,7 +191,7 @@ TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
     const std::string edge = both->contours[0].edges.front().label;
     EXPECT_NE(edge, "");
     EXPECT_EQ(both->contours[1].edges.front().label, edge);
-    // The box tells them apart.
+    // The box distinguishes them.
     const auto one = read_contours(
         file, {.kind = "holes", .edges = {edge}, .box_mm = std::array<double, 6>{100, 0, -10, 300, 50, 0}});
     ASSERT_TRUE(one) << one.error();

@@ -20,7 +20,7 @@ using solid::edge_between;
 
 class EdgeProgram : public SurfaceProgram {
   protected:
-    // --contours edges --edge ... of edges between places one behind the other.
+    // Returns the options --contours edges --edge ... of edges between consecutive positions.
     static std::vector<std::string> edges(const std::string& step, const std::vector<solid::Place>& places) {
         std::vector<std::string> options{"--contours", "edges"};
         for (std::size_t i = 1; i < places.size(); ++i) {
@@ -37,7 +37,7 @@ class EdgeProgram : public SurfaceProgram {
     std::string step(const std::string& name, const TopoDS_Shape& shape) const {
         return solids_.step(name, shape).string();
     }
-    // How near the jet's middle comes to a place.
+    // Returns the distance of the jet's middle from a position.
     static double distance_mm(const Vector3d& place, const std::vector<Jet>& jets) {
         return deviation({place}, jets, 0).least_mm;
     }
@@ -45,7 +45,7 @@ class EdgeProgram : public SurfaceProgram {
     const solid::SolidFolder solids_;
 };
 
-// Of a plate, from end to end of stretches of its outline, with what is left of them at a depth.
+// Returns points at a depth along stretches of a plate's outline, from end to end of what is left of them.
 Points on_stretches(const std::vector<Vector3d>& corners, double depth_mm) {
     Points points;
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -59,7 +59,7 @@ Points on_stretches(const std::vector<Vector3d>& corners, double depth_mm) {
 
 TEST_F(EdgeProgram, AnEdgeChoosesItsContour) {
     const std::string bracket = sample("parts/bracket.step");
-    // The refusal names an edge of the hole that is narrower than this kerf.
+    // The error names an edge of the hole that is narrower than this kerf.
     const Ended narrow = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
     const std::size_t begin = narrow.err.find("edge #") + 5;
     const std::string edge = narrow.err.substr(begin, narrow.err.find(' ', begin) - begin);
@@ -81,7 +81,7 @@ TEST_F(EdgeProgram, ThreeSidesOfAPlateAreCutAndTheFourthIsNot) {
         expect_cut(fmt::format("three sides at {} mm", depth),
                    on_stretches({{0, 0, 0}, {80, 0, 0}, {80, 50, 0}, {0, 50, 0}}, depth), way);
     EXPECT_GT(distance_mm({0, 25, 0}, way), 20);
-    // Three kerfs straight on beyond both ends, half of the kerf beside the plate.
+    // The path continues three kerfs straight beyond both ends, half of the kerf off the plate.
     const double lead_mm = 3 * kKerf_mm;
     for (const double y : {-kKerf_mm / 2, 50 + kKerf_mm / 2}) {
         EXPECT_LT(distance_mm({-lead_mm, y, 0}, way), 0.01);
@@ -95,7 +95,7 @@ TEST_F(EdgeProgram, ACornerWithinAChainThatClosesIsTrimmed) {
     const auto way = jets(angle, {600, 600, 120}, cut(edges(angle, {{60, 30, 0}, {30, 30, 0}, {30, 60, 0}})));
     const double room = kKerf_mm / 2;
     for (const double depth : {0.0, 3.0, 6.0}) {
-        // What the jet's round leaves of the corner is no edge.
+        // The corner that the jet's radius leaves is not an edge.
         expect_cut(fmt::format("one leg at {} mm", depth),
                    on_stretches({{60, 30, 0}, {30 + room, 30, 0}}, depth), way);
         expect_cut(fmt::format("the other at {} mm", depth),
@@ -121,7 +121,8 @@ TEST_F(EdgeProgram, TheFrontEdgeOfABentBracketIsCutRoundItsBend) {
     using B = Bracket;
     const double bend = B::kBend_deg * kRadPerDeg;
     const double inner = B::kOuterRadius_mm - B::kThickness_mm;
-    // From the bend's axis, by an angle from straight down, and along the sheet from there.
+    // Returns a position from the bend's axis, by an angle from straight down, and along the flange from
+    // there.
     const auto at = [&](double radius, double angle, double mm) -> Vector3d {
         return {radius * std::sin(angle) + mm * std::cos(angle), 0,
                 B::kOuterRadius_mm - radius * std::cos(angle) + mm * std::sin(angle)};
@@ -131,7 +132,7 @@ TEST_F(EdgeProgram, TheFrontEdgeOfABentBracketIsCutRoundItsBend) {
         return {point.x(), point.y(), point.z()};
     };
     constexpr double kLevel_mm = 80, kRising_mm = 75;
-    // Also where all surfaces and curves are splines, as some programs write them.
+    // The test includes a part with splines for all surfaces and curves, as some programs write them.
     for (const std::string& part :
          {sample("parts/bracket.step"), step("splines.step", solid::as_splines(bracket()))}) {
         const auto way = jets(
@@ -228,7 +229,7 @@ TEST_F(EdgeProgram, AChainThatEndsInACornerThatClosesIsRefused) {
 }
 
 TEST_F(EdgeProgram, BranchesAreRefused) {
-    // A block on its corner, turned so that one of its faces looks up most.
+    // A block on its corner, turned so that one of its faces points up most.
     const TopoDS_Shape block = solid::turned(
         solid::turned(solid::box({0, 0, 0}, {30, 30, 30}), {0, 0, 1}, 0.7), {1, 0, 0}, 0.5, {0, 0, 0});
     const auto at = [](double x, double y, double z) -> solid::Place {

@@ -25,7 +25,7 @@ std::vector<bool> lines_with_jet(const std::string& program) {
     return on;
 }
 
-/// Jets one behind the other, with a ball about their tips, so that those that are far are not looked at.
+/// Consecutive jets, with a ball about their TCPs, so that those that are far are not checked.
 struct Together {
     std::span<const Jet> jets;
     Eigen::Vector3d middle_mm;
@@ -73,8 +73,8 @@ std::vector<Jet> read_jets(const std::string& csv, const std::string& program,
 
 Deviation deviation(const std::vector<Eigen::Vector3d>& points, const std::vector<Jet>& jets,
                     double kerf_mm) {
-    constexpr double kReach_mm = 40;  // of the jet, from its tip
-    constexpr double kTube_mm = 5;    // the nozzle ends so far above the tip
+    constexpr double kReach_mm = 40;  // of the jet, from its TCP
+    constexpr double kTube_mm = 5;    // the nozzle ends so far above the TCP
     const std::vector<Together> groups = in_groups(jets);
     Deviation found{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Eigen::Vector3d& point : points) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a jet went in a run, and what it left of a part.
+// Path of a jet in a run, and what it left of a part.
 
 #include <Eigen/Core>
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace gsim::solid::models {
 
-/// A jet at a moment: its tip, and the direction from there up to the nozzle.
+/// Jet at a moment: its TCP, and the direction from there up to the nozzle.
 struct Jet {
     Eigen::Vector3d tip_mm, axis;
 };
 
-/// Of the trajectory that gsim-run writes of a machine like af5.toml (the tip at X, Y, Z, turned by B, tilted
-/// by C) what is driven with the jet on: from M08 to M09 in the lines of the program. Places are counted from
-/// an origin.
+/// Returns the part with the jet on, from M08 to M09 in the lines of the program, of the trajectory that
+/// gsim-run writes. The machine is like af5.toml (the TCP at X, Y, Z, turned by B, tilted by C). Positions
+/// are counted from an origin.
 std::vector<Jet> read_jets(const std::string& csv, const std::string& program,
                            const Eigen::Vector3d& origin_mm);
 
-/// How far the edge that the jets cut is off the edge that these points are of: what is nearest of a jet to
-/// each point has to be half of the kerf away. Greatest over all points, above 0 where the jet left too much,
-/// below where it cut into the part.
+/// Deviation of the edge that the jets cut from the edge of these points. The nearest part of a jet must be
+/// half of the kerf from each point. The values are extremes over all points, above 0 if the jet left too
+/// much, below if it cut into the part.
 struct Deviation {
     double least_mm = 0, greatest_mm = 0;
 };

@@ -28,7 +28,7 @@ std::string error_of(const std::filesystem::path& file) {
     return mesh ? "" : mesh.error();
 }
 
-// By the divergence theorem; above 0 where the triangles turn outwards.
+// Returns the volume by the divergence theorem; above 0 if the triangles face outwards.
 double volume_mm3(const Mesh& mesh) {
     double sum = 0;
     for (const auto& corners : mesh.triangles) {

@@ -37,7 +37,7 @@ TopoDS_Wire slot_wire(double half_mm, double radius_mm, double z_mm) {
     return wire.Wire();
 }
 
-// What a slot takes out, from a height below to one above; its radius is that at 0.
+// Returns the volume that a slot removes, from a height below to one above; its radius is that at 0.
 TopoDS_Shape slot_tool(double half_mm, double radius_mm, double taper_deg, double below_mm, double above_mm) {
     const double growth = std::tan(taper_deg * kRadPerDeg);
     BRepOffsetAPI_ThruSections sections(true, true);
@@ -46,7 +46,7 @@ TopoDS_Shape slot_tool(double half_mm, double radius_mm, double taper_deg, doubl
     return sections.Shape();
 }
 
-// Moves what stands about the origin to a place, its Z along a direction in the plane of X and Z, its Y kept.
+// Moves a shape at the origin to a position, its Z along a direction in the plane of X and Z, its Y kept.
 TopoDS_Shape placed(const TopoDS_Shape& shape, const Place& at, double lean_rad) {
     return turned(shape, {0, 1, 0}, lean_rad, at);
 }
@@ -117,7 +117,7 @@ TopoDS_Shape frustum() {
                                    F::kUpperRadius_mm - less - over, F::kHeight_mm + 10);
     const TopoDS_Shape tool = slot_tool(F::kSlotHalf_mm, F::kSlotRadius_mm, F::kTaper_deg, 12, 12);
     const Place middle{(F::kLowerRadius_mm + F::kUpperRadius_mm) / 2, 0, F::kHeight_mm / 2};
-    // The side's normal leans away from the vertical by the rest of its slope.
+    // The side's normal is tilted from the vertical by 90 degrees less its slope.
     return without(body, {core, placed(tool, middle, kTurn_rad / 4 - slope)});
 }
 

@@ -8,14 +8,15 @@
 
 namespace gsim::solid::models {
 
-/// The thesis's wheel: a plate whose pockets have walls that lean, ruled from the way that the jet's tip goes
-/// in the path file to where it leaves the plate. Its origin is in the middle of the upper side.
+/// Returns the thesis's wheel: a plate with pockets that have tilted walls. The walls are ruled from the path
+/// of the jet's TCP in the path file to where it leaves the plate. The origin is in the middle of the upper
+/// side.
 TopoDS_Shape wheel(const std::filesystem::path& path_file);
 inline constexpr double kWheelThickness_mm = 6.35;
 inline constexpr double kRimRadius_mm = 215.9, kBoreRadius_mm = 25.4;
 
-/// Sheet of 6 mm, bent up about the Y axis: one flange level, from x = 0 to -80, the other one rising. A slot
-/// and a hole in the level flange, a round and a tapered hole in the other.
+/// Returns sheet metal of 6 mm, bent up about the Y axis: one flange level, from x = 0 to -80, the other one
+/// rising. The level flange has a slot and a hole, the other a round and a tapered hole.
 TopoDS_Shape bracket();
 struct Bracket {
     static constexpr double kThickness_mm = 6, kBend_deg = 50, kOuterRadius_mm = 14, kWidth_mm = 60;
@@ -29,7 +30,7 @@ struct Bracket {
     static constexpr double kTaper_deg = 12;                                             // smaller below
 };
 
-/// A shell of a cone that stands, with a slot through its side that is wider outside.
+/// Returns the shell of an upright cone, with a slot through its side that is wider outside.
 TopoDS_Shape frustum();
 struct Frustum {
     static constexpr double kLowerRadius_mm = 120, kUpperRadius_mm = 50, kHeight_mm = 50, kWall_mm = 5;

@@ -46,7 +46,7 @@ std::vector<double> areas_mm2(const Plate& plate) {
     return areas_mm2(chained.closed);
 }
 
-// Of the jet's ways.
+// Returns the areas of the paths.
 std::vector<double> offset_areas_mm2(const Plate& plate, double kerf_mm) {
     const auto layout = cutting::lay_out(plate.drawing, {kerf_mm, 0.02});
     EXPECT_TRUE(layout) << layout.error();
@@ -164,7 +164,7 @@ TEST(Plate, SidesThatLeanHaveBevels) {
     EXPECT_THAT(bevels_deg(flipped),
                 testing::Pointwise(testing::DoubleNear(1e-6), {-x_bevel, -x_bevel, -y_bevel, -y_bevel}));
     for (const drawing::Entity& entity : plate.drawing.entities) {
-        // The long edges lie along X, below them the sides that look along Y.
+        // The long edges lie along X, below them the sides that face along Y.
         const auto source = static_cast<std::size_t>(&entity - plate.drawing.entities.data());
         EXPECT_NEAR(length_mm(plate.drawing.pieces[source]), entity.bevel_deg > 20 ? 40 : 60, 1e-6);
     }
@@ -172,10 +172,10 @@ TEST(Plate, SidesThatLeanHaveBevels) {
 
 TEST(Plate, ConicalHolesHaveBevels) {
     const SolidFolder folder;
-    // The upper side looks along Z; the hole is wider there by 4 mm in 10.
+    // The upper side faces along Z; the hole is wider there by 4 mm in 10.
     const TopoDS_Shape part = without(box({-30, -30, 0}, {30, 30, 10}), {cone({0, 0, -5}, 10, 18, 20)});
     const Plate plate = plate_of(folder.step("a.step", part));
-    // Of two faces the larger one is up: below, where the hole is smaller.
+    // The larger of two faces is up: the lower one, with the smaller hole.
     expect_near(areas_mm2(plate), {3600, kPi * 144});
     const double bevel = std::atan(8.0 / 20) * 180 / kPi;
     const Plate flipped = plate_of(folder.step("a.step", part), {0.005, true, {}});

@@ -40,7 +40,7 @@
 
 #include <gtest/gtest.h>
 
-// OpenCASCADE leaks; LeakSanitizer asks here what it shall not report.
+// OpenCASCADE leaks; LeakSanitizer calls this function for what it must not report.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libTK";

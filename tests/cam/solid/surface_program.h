@@ -13,7 +13,7 @@
 
 namespace gsim::apps {
 
-/// Places of a part.
+/// Positions on a part.
 using Points = std::vector<Eigen::Vector3d>;
 
 class SurfaceProgram : public Apps {
@@ -21,18 +21,17 @@ class SurfaceProgram : public Apps {
     static constexpr double kKerf_mm = 0.8;
     static constexpr double kNear_mm = 0.05;
 
-    /// From a part to where the jet goes on the gantry, in the part's frame; with the part as a body of the
-    /// cell.
+    /// Returns the jets of a part on the gantry, in the part's frame, with the part as a body of the cell.
     std::vector<solid::models::Jet> jets(const std::string& step, const Eigen::Vector3d& at,
                                          const std::vector<std::string>& options,
                                          const std::string& cell = {},
                                          const std::string& machine = "af5-measured");
 
-    /// How autopath ends with a part and a kerf.
+    /// Runs autopath with a part and a kerf.
     Ended autopath(const std::string& step, const std::vector<std::string>& options,
                    const std::string& kerf = "0.8") const;
 
-    /// Whether the edges that the jets cut are where these points are.
+    /// Expects the edges that the jets cut to be where these points are.
     static void expect_cut(const std::string& what, const Points& points,
                            const std::vector<solid::models::Jet>& jets, double into_mm = kNear_mm);
 

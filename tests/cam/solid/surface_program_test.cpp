@@ -38,7 +38,7 @@ Eigen::Vector2d slot(double half_mm, double radius_mm, double share) {
 constexpr int kStepsOfEdge = 40;
 constexpr int kFineSteps = 1000;
 
-// Of each edge of a pocket places at a depth.
+// Returns positions at a depth, for each edge of a pocket.
 std::vector<Points> edges_at(const std::vector<WheelStep>& pocket, double depth_mm, int steps) {
     std::vector<Points> edges;
     for (const WheelStep& step : pocket) {
@@ -59,13 +59,13 @@ Points together(const std::vector<Points>& edges) {
     return all;
 }
 
-// Whether a jet along the wall may stand beside a place of an edge without coming into another place.
+// Returns true if a jet along the wall can pass a position of an edge without cutting into another position.
 bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Points& all, double kerf_mm,
               double near_mm) {
     const auto values = step.axis(static_cast<double>(n) / kStepsOfEdge);
     const Vector3d axis(values[0], values[1], values[2]);
     const Vector3d along = edge[std::min(n + 1, edge.size() - 1)] - edge[n == 0 ? 0 : n - 1];
-    const Vector3d waste = along.cross(axis).normalized();  // the program goes round clockwise
+    const Vector3d waste = along.cross(axis).normalized();  // the program runs round clockwise
     const Vector3d middle = edge[n] + kerf_mm / 2 * waste;
     return std::none_of(all.begin(), all.end(), [&](const Vector3d& place) {
         return (place - middle).cross(axis).norm() < kerf_mm / 2 - near_mm;
@@ -260,7 +260,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
 
 TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
     std::string text = solid::read_file(sample("parts/bracket.step"));
-    // The face of a hole, as it is called in a refusal.
+    // `face` is the face of a hole, as the error names it.
     const auto run = [&](const std::string& file, const std::string& face) {
         return run_program(tests::program_path("autopath"),
                            {file, "--contours", "holes", "--face", face, "--box-low", "-45", "0", "0",

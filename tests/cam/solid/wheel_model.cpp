@@ -57,7 +57,7 @@ Handle(Geom_BSplineCurve) through(const At& at) {
         shares->SetValue(i + 1, share);
     }
     GeomAPI_Interpolate interpolate(points, shares, false, 1e-9);
-    // What goes on beyond the ends is known, too.
+    // The course beyond the ends is known, too.
     constexpr double kStep = 1e-4;
     const auto slope = [&](double share) {
         return gp_Vec(at(share - kStep), at(share + kStep)) / (2 * kStep);

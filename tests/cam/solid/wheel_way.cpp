@@ -20,7 +20,7 @@ Pair place_of(const nlohmann::json& target, const char* key) {
             target.at(key).at(1).get<double>() - kWheelMiddle_mm[1]};
 }
 
-// B turned by whole turns, or with C the other way, so that it is as near as it can be.
+// Returns B turned by full turns, or with C in the other direction, so that it is as near as possible.
 Pair nearest(const Pair& from, Pair to) {
     if (from[1] * to[1] < 0) to = {to[0] + 180, -to[1]};
     return {from[0] + std::remainder(to[0] - from[0], 360), to[1]};

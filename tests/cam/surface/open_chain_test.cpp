@@ -1,4 +1,4 @@
-// Ways along chains of edges that do not close.
+// Paths along chains of edges that do not close.
 
 #include <cmath>
 #include <variant>
@@ -25,7 +25,8 @@ Triple triple_of(const Vector& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-// Through places of the level face z = 0 with upright walls of 6 mm, material to the left.
+// Returns a chain through positions of the level face z = 0, with upright walls of 6 mm and material to the
+// left.
 WallContour chain_through(const std::vector<Vector>& corners) {
     WallContour chain{.face = "the plane face #1", .is_open = true};
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -94,14 +95,14 @@ TEST(OpenChain, ACornerThatOpensIsTurnedAboutAndTheEndsAreNoCorner) {
 }
 
 TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
-    // A wall across the way, 1 mm beyond the end; the jet itself keeps off it by its own half.
+    // A wall across the path, 1 mm beyond the end; the jet itself is half its width away from it.
     const std::vector<solid::PartEdge> wall{{"edge #9", {{31, -20, 0}, {31, 20, 0}}}};
     const auto path = made({{0, 0, 0}, {30, 0, 0}}, wall);
     ASSERT_TRUE(path) << path.error();
     EXPECT_EQ(path->summary.without_leads, 1U);
     EXPECT_EQ(xs_with_jet(*path), (std::vector<double>{-kLead_mm, 0, 30}));
     EXPECT_THAT(path->notes, testing::Contains(HasSubstr("1 contours have no room for leads")));
-    // Beside the way, half of the kerf off the jet, nothing is in the way.
+    // An edge next to the path, half of the kerf off the jet, is no obstacle.
     const auto beside = made({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{31, 0, 0}, {50, 0, 0}}}});
     EXPECT_EQ(beside->summary.without_leads, 0U);
 }

@@ -52,7 +52,7 @@ WallContour round_hole(double radius_mm, double lean_rad = 0) {
     return {"the plane face #1", true, {edge}};
 }
 
-// Corners one behind the other, material to the left.
+// Returns consecutive corners, with material to the left.
 WallContour polygon(const std::vector<Vector>& corners, bool is_hole) {
     WallContour contour{"the plane face #1", is_hole, {}};
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -104,7 +104,7 @@ TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
         EXPECT_LE(radius, 5 - kKerf_mm / 2 + 0.006);
         if (point.motion == path::MotionType::circular && std::abs(radius - 4.6) < 0.006) ++on_hole;
     }
-    EXPECT_GE(on_hole, 3);  // the lead-in, and two arcs at least round the hole
+    EXPECT_GE(on_hole, 3);  // the lead-in, and at least two arcs round the hole
     EXPECT_LE(on_hole, 6);
 }
 
@@ -114,7 +114,7 @@ TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
     options.cut_height_mm = 2;
     const auto path = made(round_hole(20, lean), options);
     ASSERT_TRUE(path) << path.error();
-    // Beside the edge by the height's share, and by half of the kerf as it is across on the level face.
+    // The distance from the edge is the height's share, plus half of the kerf across the level face.
     const double aside = 2 * std::tan(lean) + kKerf_mm / 2 / std::cos(lean);
     for (const path::Point& point : points_of(*path)) {
         if (point.motion != path::MotionType::circular || !point.orientation) continue;
@@ -162,7 +162,7 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
         if (!points[i].feed_mm_min || points[i].motion != path::MotionType::linear) continue;
         const double mm = std::hypot(to[0] - from[0], to[1] - from[1]);
         if (*points[i].feed_mm_min < 200) slow_mm += mm;
-        // Where it is slow a corner of the jet's way is as near as the zone.
+        // If the feed is slow, a corner of the jet's path is as near as the zone.
         const double nearest =
             std::hypot(std::abs(to[0]) - 10 + kKerf_mm / 2, std::abs(to[1]) - 10 + kKerf_mm / 2);
         if (*points[i].feed_mm_min < 200) {
@@ -181,7 +181,7 @@ TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
     const auto slower = made(round_hole(20, lean), {}, rules);
     const auto upright = made(round_hole(20), {}, rules);
     ASSERT_TRUE(plain && slower && upright);
-    // The jet's way through the wall is longer by 1 / cos.
+    // The jet's path through the wall is longer by 1 / cos.
     EXPECT_NEAR(plain->summary.cut_s / slower->summary.cut_s, std::cos(lean), 1e-6);
     for (const path::Point& point : points_of(*upright)) {
         if (!point.feed_mm_min) continue;
@@ -213,7 +213,8 @@ TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
     const auto held = made(round_hole(20), options);
     ASSERT_TRUE(whole && held);
     EXPECT_EQ(held->summary.pierces, 4U);
-    // Of the edge each bridge takes its width and that of the jet; the jet's way is the shorter by radius.
+    // Each bridge takes its width and that of the jet from the edge; the jet's path is shorter by the ratio
+    // of radii.
     const double share = (20 - kKerf_mm / 2) / 20;
     EXPECT_NEAR(whole->summary.cut_mm - held->summary.cut_mm, 3 * (0.5 + kKerf_mm) * share, 0.01);
     options.bridges = {40, 2};
@@ -230,7 +231,7 @@ TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
         "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
         "than 60 "
         "deg (--max-lean)");
-    // A slit of 0.6 mm: the ways along both sides do not even cross.
+    // A slit of 0.6 mm: the paths along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
     EXPECT_THAT(refusal(polygon(slit, true)),
                 HasSubstr("cannot be cut: it is narrower than the kerf of 0.8 mm"));

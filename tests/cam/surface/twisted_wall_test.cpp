@@ -28,8 +28,8 @@ Vector slope(const Curve& curve, double at) {
     return (curve(at + kTiny) - curve(at - kTiny)).normalized();
 }
 
-// The wall from one curve to another one below it, by straight lines between the same parameters. Material
-// is to the left of the way from 0 to 1.
+// Returns the wall from one curve to another one below it, by straight lines between the same parameters.
+// Material is to the left of the path from 0 to 1.
 solid::WallEdge wall(const std::string& name, const Curve& upper, const Curve& lower) {
     constexpr int kSteps = 400;
     const Vector up(0, 0, 1);
@@ -57,7 +57,7 @@ JetWay way_of(const std::vector<solid::WallEdge>& edges) {
     return way ? *way : JetWay{};
 }
 
-// How far what the jets leave of a curve is off it: least and greatest.
+// Returns the smallest and the largest deviation of the cut from a curve.
 std::pair<double, double> off(const Curve& curve, const JetWay& way) {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -least;
@@ -85,7 +85,8 @@ Curve line(const Vector& from, const Vector& to) {
 }  // namespace
 
 TEST(TwistedWall, BothCirclesOfAHyperboloidAreLeft) {
-    // The lower one is larger, and each line of the wall goes on by 40 degrees: its normals differ by 35 deg.
+    // The lower circle is larger, and each line of the wall advances by 40 degrees: its normals differ by 35
+    // deg.
     const Curve upper = [](double share) { return around(10, share, 0); };
     const Curve lower = [](double share) { return around(12, share + 40.0 / 360, -kDepth_mm); };
     const JetWay way = way_of({wall("edge #1", upper, lower)});

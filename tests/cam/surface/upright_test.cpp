@@ -26,7 +26,7 @@ TEST(Upright, LeansByAHairToWhereItGoesOn) {
     ASSERT_EQ(points.size(), 4U);
     EXPECT_EQ(lean_rad(points[0].axis), 0);
     EXPECT_NEAR(lean_rad(points[1].axis), kHair_deg * kRadPerDeg, 1e-12);
-    EXPECT_NEAR(azimuth_deg(points[1]), 30, 1e-6);  // the turn goes on evenly
+    EXPECT_NEAR(azimuth_deg(points[1]), 30, 1e-6);  // the turn continues evenly
 }
 
 TEST(Upright, BetweenTwoLeansItTurnsOnTheSpot) {

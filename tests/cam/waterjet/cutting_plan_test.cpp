@@ -79,7 +79,7 @@ TEST(CuttingPlan, MachinabilityOfAnotherMaterial) {
     EXPECT_THAT(value_of(plan, "machinability").basis, HasSubstr("mild steel"));
 }
 
-// A material known by one cut is cut at that speed where everything is as it was then.
+// A material known by one cut is cut at that speed if all conditions are as they were then.
 TEST(CuttingPlan, MachinabilityOfAMeasuredCut) {
     Materials materials = sample_materials();
     const JetSetting jet{320, 0.3, 0.9, 250, 1};

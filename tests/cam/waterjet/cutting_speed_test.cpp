@@ -87,7 +87,7 @@ TEST(CuttingSpeed, RisesAndFallsAsAJetDoes) {
     }
 }
 
-// Twice the thickness at half the quality is the same cut; the speed goes with the power 1.15.
+// Twice the thickness at half the quality is the same cut; the speed varies with the power 1.15.
 TEST(CuttingSpeed, QualityAndThicknessTradeForEachOther) {
     std::mt19937 random(3);
     const JetSetting jet = random_jet(random);

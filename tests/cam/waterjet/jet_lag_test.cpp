@@ -31,7 +31,7 @@ TEST(JetLag, OnAnArcTheExitIsOffByTheError) {
     }
 }
 
-// The chord from L before the corner to L behind it passes the corner at the allowed error.
+// The chord from L before the corner to L after it passes the corner at the allowed error.
 TEST(JetLag, InACornerTheExitCutsOffTheError) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
@@ -63,7 +63,7 @@ TEST(JetLag, ErrorBetweenQualities) {
     EXPECT_DOUBLE_EQ(contour_error_mm(rule, 5), 0.05);
 }
 
-// By the sample file the lag goes with 1 / quality, as the speed's power and the lag's are inverse.
+// In the sample file the lag varies with 1 / quality, because the speed's power and the lag's are inverse.
 TEST(JetLag, FallsWithTheQuality) {
     const double separation = sample_plan("mild steel", 20, 1).lag_mm;
     for (const double quality : {1.0, 2.0, 3.0, 5.0})

@@ -59,8 +59,8 @@ TEST(JobPrice, IsLinear) {
     }
 }
 
-// The thesis: abrasive is up to half of the cost, 50 to 70 % of it can be used again, which makes cutting up
-// to 40 % cheaper. Half of the cost and 70 % are 35 %, if using it again costs nothing.
+// The thesis: abrasive is up to half of the cost, and 50 to 70 % of it can be used again. That makes cutting
+// up to 40 % cheaper. Half of the cost and 70 % are 35 %, if the second use is free.
 TEST(JobPrice, RecyclingSavesAtMostItsShareOfTheAbrasive) {
     const CuttingPlan plan = sample_plan("aluminum", 12, 3);
     PriceRule prices = sample_materials().prices;

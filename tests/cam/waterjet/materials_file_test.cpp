@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The sample with one piece of text replaced; the piece must be there.
+// Returns the sample with one part of its text replaced; the part must exist.
 std::string error_with(std::string_view piece, std::string_view other) {
     std::string text(built_in_materials_toml());
     const std::size_t at = text.find(piece);
@@ -100,8 +100,8 @@ TEST(MaterialsFile, NoFile) {
     EXPECT_FALSE(read_materials(std::string_view("\0", 1), "f"));
 }
 
-// Whatever a file holds, reading it ends with materials that can be planned, or with a sentence that says
-// where.
+// For any file content, reading ends with materials that can be planned, or with an error that has a
+// position.
 TEST(MaterialsFile, Mangled) {
     std::mt19937 random(5);
     const std::string whole(built_in_materials_toml());

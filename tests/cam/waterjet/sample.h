@@ -11,7 +11,7 @@ inline const Materials& sample_materials() {
     return materials;
 }
 
-/// A plan by the sample file with nothing given but these.
+/// Returns a plan from the sample file with only these values given.
 inline CuttingPlan sample_plan(std::string material, double thickness_mm, double quality) {
     CuttingRequest request;
     request.material = std::move(material);

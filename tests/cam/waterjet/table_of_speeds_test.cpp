@@ -1,5 +1,5 @@
 // Table 2.1 of the thesis: speeds for 50 mm. It gives neither the jet nor the edge, so a jet of its time is
-// assumed, and the fastest cut. One row more or less is decided by that; the ratios of the rows are the
+// assumed, and the fastest cut. The assumption decides by a row more or less; the ratios of the rows are the
 // model's own.
 #include <cmath>
 

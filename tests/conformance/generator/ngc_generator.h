@@ -88,7 +88,7 @@ class NgcGenerator {
     int label_ = 100;
     Plane plane_ = Plane::xy;
     Motion motion_ =
-        Motion::none;  ///< What is modal; `other` moves are repeated by their own functions alone.
+        Motion::none;  ///< Modal motion; `other` moves are repeated by their own functions alone.
     bool incremental_ = false;
     bool diameters_ = false;  ///< G7: words X are twice the radius.
     bool rotated_ = false;

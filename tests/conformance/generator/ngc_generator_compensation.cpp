@@ -9,7 +9,7 @@
 
 namespace gsim::conformance {
 
-/// The path is made of moves that are long beside the tool, so that it fits into most of the inside corners.
+/// The moves of the path are long compared with the tool, so that it fits into most of the inside corners.
 void NgcGenerator::compensation() {
     if (plane_ != Plane::xy || inverse_time_ || incremental_) return;
     if (tool_offset_) change_tool_offset("G49");
@@ -29,7 +29,7 @@ void NgcGenerator::compensation() {
     motion_ = Motion::straight;
 }
 
-/// Behind a stop LinuxCNC leads the tool onto an arc on a spiral, which gsim does not; a line follows there.
+/// After a stop LinuxCNC moves the tool onto an arc on a spiral, which gsim does not; a line follows there.
 void NgcGenerator::compensated_path() {
     line("G91");
     const int moves = random_.between(1, 7);

@@ -1,5 +1,5 @@
-// The part of the generator that writes parameters, comments and O-words. What stands in a branch, a loop or
-// a subroutine changes no mode, so that the rest of the program is known however often it is run.
+// Part of the generator that writes parameters, comments and O-words. The content of a branch, a loop or a
+// subroutine changes no mode. The remainder of the program is therefore known, however often it is run.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ void NgcGenerator::comment() {
                         "(log, #<_size>)", "(logopen, x.txt)", "(logclose)", "; (abort, a remark)",
                         "(abort without a comma)", "(abort, not the last one)(a remark)",
                         "(debug,#99 #<none>)", "o<99> if [0]\n(abort, never)\no<99> endif"})));
-    if (text_.find("o<99> if") != std::string::npos) {  // a label stands once in a program
+    if (text_.find("o<99> if") != std::string::npos) {  // a label exists once in a program
         const std::size_t at = text_.rfind("o<99> if");
         const std::string label = std::to_string(++label_);
         text_.replace(text_.find("o<99> endif", at) + 2, 2, label);
@@ -122,7 +122,7 @@ void NgcGenerator::definitions() {
         random_.decimal(50, 500));
 }
 
-/// They stand behind the main program, where LinuxCNC looks for them.
+/// They are after the main program, where LinuxCNC searches for them.
 void NgcGenerator::numbered_programs() {
     line("O3000\n#3 = [#3 + 1]\nG0 Z[#3 MOD 20]\nM98 P3001\nM99\nO3001\nG0 Y[#3 MOD 10]\nM99");
     if (random_.chance(30)) line("O3000\nG0 X99\nM99");

@@ -40,7 +40,7 @@ void NgcGenerator::machine_move() {
     motion_ = Motion::straight;
 }
 
-/// Words of an arc that begins where the program stands: its end from there, and its centre.
+/// Returns the words of an arc from the program's position: its end from there, and its centre.
 std::string NgcGenerator::arc_words(bool absolute_centre) {
     const double radius = random_.between(20, 300) / 10.0;
     const double start = random_.between(0, 359) * kDegree;
@@ -100,7 +100,7 @@ void NgcGenerator::full_circle() {
     motion_ = Motion::other;
 }
 
-/// Where it ends is not printed, so that a move to a known place follows.
+/// The end of a spline is not printed, so that a move to a known position follows.
 void NgcGenerator::spline() {
     if (plane_ != Plane::xy || inverse_time_) return;
     const int splines = random_.between(1, 3);
@@ -151,7 +151,7 @@ void NgcGenerator::more_holes() {
     line(fmt::format("{}{}{}", axes[random_.below(2)], value(20), random_.chance(20) ? " L2" : ""));
 }
 
-/// What stands behind it names all axes, since the stand-alone interpreter is not where its probe has ended.
+/// The next block names all axes, because the stand-alone interpreter is not where its probe has ended.
 void NgcGenerator::probe() {
     if (inverse_time_ || per_turn_ || incremental_) return;
     line(fmt::format("G38.{} X{} Y{} Z{}", random_.between(2, 5), random_.decimal(41, 60), value(20),

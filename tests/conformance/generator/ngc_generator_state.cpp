@@ -14,7 +14,7 @@ std::string without_turns(const std::string& arc) {
 
 }  // namespace
 
-/// A bare G94 or G95 drops F, so that F stands in its block or behind it.
+/// A bare G94 or G95 drops F, so that F is in its block or after it.
 void NgcGenerator::feed_mode() {
     switch (random_.below(4)) {
         case 0:
@@ -110,8 +110,8 @@ void NgcGenerator::change_tool_offset(const std::string& text) {
     tool_offset_ = unsure_ = true;
 }
 
-/// Where LinuxCNC reads where its machine is, the stand-alone interpreter's canned one has not heard of a
-/// tool offset since its last move.
+/// If LinuxCNC reads its machine's position, the stand-alone interpreter's canned machine lacks any tool
+/// offset since its last move.
 void NgcGenerator::after_wait() {
     if (unsure_) back_to_known_place();
 }

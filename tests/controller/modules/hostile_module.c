@@ -55,7 +55,7 @@ static void block_signals(void) {
     hang();
 }
 
-/* A gigabyte at most, so that a test without a limit fails and does not take the machine with it. */
+/* Allocates a gigabyte at most, so that a test without a limit fails and does not bring down the machine. */
 static void hog_memory(void) {
     const size_t piece = 64U << 20U;
     int i;

@@ -1,6 +1,8 @@
-/* A whole controller module in little: joint targets in a queue of eight, each reached along a straight line
- * at the programmed speed without any acceleration, and rests. Compiled with FAULT it is broken in one way or
- * another. */
+/*
+ * Complete small controller module: joint targets in a queue of eight, each reached along a straight line at
+ * the programmed speed without any acceleration, and dwells. If it is compiled with FAULT, it is broken in
+ * one of several respects.
+ */
 
 #include <math.h>
 #include <signal.h>

@@ -1,7 +1,8 @@
-/* A controller module whose answers are given to it: it makes each motion in one step, and answers as the bytes
- * of its parameter "answers" (as many as "answers_size" says) tell it to. A byte below KEEPS leaves an answer as
- * it is; any other one says whether the status and eight bytes of the output are overwritten with those that
- * follow. */
+/*
+ * Controller module with given answers: it makes each motion in one step, and answers as the bytes of its
+ * parameter "answers" (as many as "answers_size" says) define. A byte below KEEPS leaves an answer as it is.
+ * Any other one decides if the status and eight bytes of the output are overwritten with those that follow.
+ */
 
 #include <stdlib.h>
 #include <string.h>

@@ -43,7 +43,7 @@ TEST(Crossing, SoundContoursHaveNone) {
 TEST(Crossing, ARoundedTangentIsNone) {
     Contour contour;
     contour.closed = true;
-    // The arc begins 1e-5 rad beside the line's direction.
+    // The arc begins 1e-5 rad off the line's direction.
     contour.vertices = {{{0, 0}, 0, 0},
                         {{10, 0}, std::tan(std::numbers::pi / 4 - 1e-5), 0},
                         {{10, 20}, 0, 0},

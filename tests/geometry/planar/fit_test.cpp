@@ -24,7 +24,7 @@ TEST(Fit, AnEllipseHasItsAreaAndStaysWithinTheTolerance) {
             for (std::size_t i = 0; i < contour.edges(); ++i) {
                 for (double share = 0; share < 1; share += 0.1) {
                     const Point p = point_at(contour.edge(i), share);
-                    // How far off the ellipse, to the first order.
+                    // Distance from the ellipse, to the first order.
                     const double value = p.x * p.x / (a * a) + p.y * p.y / (b * b) - 1;
                     const double slope = 2 * std::hypot(p.x / (a * a), p.y / (b * b));
                     EXPECT_LE(std::abs(value) / slope, 1.2 * tolerance_mm);

@@ -72,7 +72,7 @@ TEST(Offset, CuspsTurnTheRightWay) {
     Contour horns;  // a rectangle with a bite that leaves two horns without an angle
     horns.closed = true;
     horns.vertices = {{{10, 2.5}, 0, 0}, {{5, 2.5}, 0, 0}, {{5, -2.5}, 0, 0}, {{10, -2.5}, -1, 0}};
-    Contour slit = horns;  // the same from the other side: slits that close to nothing
+    Contour slit = horns;  // the same from the other side: slits that close completely
     reverse(slit);
     for (const double d : {-0.4, 0.4}) {
         EXPECT_NEAR(total_area(offset_of(horns, d)), clipper_offset_area_mm2(horns, d, 1e-5), 0.005);
@@ -81,7 +81,7 @@ TEST(Offset, CuspsTurnTheRightWay) {
 }
 
 TEST(Offset, ATangentThatWasRoundedDoesNotHarm) {
-    // Lines leave the arcs of a slot 3e-4 rad beside their tangents, as a drawing program wrote them.
+    // Lines leave the arcs of a slot 3e-4 rad off their tangents, as a drawing program wrote them.
     Contour slot;
     slot.closed = true;
     slot.vertices = {{{8.23153742199, 7.98769132675}, 0, 0},
@@ -94,13 +94,13 @@ TEST(Offset, ATangentThatWasRoundedDoesNotHarm) {
 }
 
 TEST(Offset, ASlotAsWideAsTheToolDoesNotHarm) {
-    // Walls exactly twice the distance apart.
+    // The walls are at exactly twice the distance.
     const Contour comb = polygon({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 5}, {18, 5}, {18, 20}, {0, 20}});
     const std::vector<Contour> grown = offset_of(comb, 1);
     EXPECT_NEAR(total_area(grown), clipper_offset_area_mm2(comb, 1), 0.01);
 }
 
-// No point of the offset is nearer to the contour than the distance, and none further.
+// No point of the offset is nearer to the contour than the distance, or farther.
 TEST(Offset, KeepsItsDistanceEverywhere) {
     std::mt19937 random(31);
     for (int i = 0; i < 20; ++i) {
@@ -135,7 +135,7 @@ TEST(Offset, OfRandomShapesTheAreaIsClippers) {
 }
 
 TEST(Offset, NearlyTangentEdgesJoin) {
-    // A circle of many arcs and chords, whose directions differ by little or by rounding alone.
+    // A circle of many arcs and chords with directions that differ by little or by rounding alone.
     for (const int count : {8, 100, 1000}) {
         for (const double part_of_bulge : {0.0, 0.5, 1.0}) {
             Contour contour;

@@ -51,7 +51,7 @@ std::optional<double> Ab9Control::variable(int number) const {
     return std::nullopt;
 }
 
-// --- Where the program's zero point is ---
+// --- Position of the program's zero point ---
 
 Point Ab9Control::offsets() const {
     Point sum = systems_[system_] + external_ + local_ + shift_;
@@ -106,8 +106,8 @@ void Ab9Control::set_scale(const ReadBlock& block) {
     scale_ = scale;
 }
 
-// In the plane in force; increments add to a rotation that is in force there, as its centre stays where it is
-// not given.
+// The rotation is in the active plane; increments add to a rotation that is active there. Its centre is kept
+// if the block gives none.
 void Ab9Control::set_rotation(const ReadBlock& block) {
     Rotation rotation;
     const bool goes_on = rotates() && rotation_->plane == plane_;
@@ -155,7 +155,7 @@ void Ab9Control::set_table(const ReadBlock& block) {
     }
 }
 
-// G92: the point where the machine stands gets the coordinates that are given, and keeps the others.
+// G92: the machine's current point gets the given coordinates, and keeps the others.
 void Ab9Control::shift_to(const ReadBlock& block) {
     Point wanted = program_point();
     each_axis(block,

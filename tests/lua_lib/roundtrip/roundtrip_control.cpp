@@ -129,7 +129,8 @@ Control::Circle Control::circle_by_centre(const ReadBlock& block, const Vector2d
     return {centre, full ? kTurn_rad : swept(from - centre, to - centre, ccw)};
 }
 
-// Of the two circles through both ends the arc of at most half a turn, or the other one where R is below 0.
+// Two circles pass through both ends: returns the arc of at most half a turn, or the other one if R is below
+// 0.
 Control::Circle Control::circle_by_radius(double radius, const Vector2d& from, const Vector2d& to, bool ccw) {
     const Vector2d half = (to - from) / 2;
     const double aside = std::sqrt(std::max(radius * radius - half.squaredNorm(), 0.0));

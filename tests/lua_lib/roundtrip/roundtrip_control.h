@@ -26,9 +26,9 @@ struct Move {
     Kind kind = Kind::rapid;
     Point end = Point::Zero();
     double length_mm = 0;
-    double feed_per_min = 0;       ///< mm/min, or deg/min where only rotary axes move.
-    std::optional<double> time_s;  ///< Where the program says it: a dwell, inverse time feed.
-    // Of an arc:
+    double feed_per_min = 0;       ///< mm/min, or deg/min if only rotary axes move.
+    std::optional<double> time_s;  ///< If the program has it: a dwell, inverse time feed.
+    // Arcs only:
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< Any point of the axis.
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< About which it runs by the right hand, unit.
     int turns = 0;                                     ///< 1 up to a full circle, 2 for one more turn, ..
@@ -51,8 +51,8 @@ struct ReadBlock {
     }
 };
 
-/// What both dialects share: modal state, position, lines and arcs. A dialect adds its offsets and its order
-/// of execution.
+/// Common part of both dialects: modal state, position, lines and arcs. A dialect adds its offsets and its
+/// order of execution.
 class Control {
   public:
     Control() = default;
@@ -61,7 +61,7 @@ class Control {
     virtual ~Control() = default;
 
     virtual void run(const ReadBlock& block) = 0;
-    /// The value of a variable that the control keeps itself; nothing for others.
+    /// Returns the value of a variable that the controller keeps itself, or none for others.
     virtual std::optional<double> variable(int number) const = 0;
 
     const std::vector<Move>& moves() const { return moves_; }

@@ -10,7 +10,7 @@ namespace {
 constexpr int kSubs = 3;
 constexpr int kDeepest = 3;
 
-// What surrounds a statement.
+// Surroundings of a statement.
 struct Surroundings : Scope {
     int depth = 0;          // of choices, loops and transformations
     int loops = 0;          // of loops
@@ -221,7 +221,8 @@ class Generator {
         return body;
     }
 
-    // The counter goes up first, so that a jump to the next pass cannot keep the loop going for ever.
+    // The counter is incremented first, so that a jump to the next pass cannot keep the loop running
+    // endlessly.
     Body loop(Surroundings here) {
         ++here.depth;
         ++here.loops;
@@ -262,7 +263,7 @@ class Generator {
         return body;
     }
 
-    // Mirror image, scaling or rotation around some statements, out of which nothing jumps.
+    // Mirror image, scaling or rotation around some statements, which no jump leaves.
     Body transformed(Surroundings here) {
         ++here.depth;
         here.may_jump = false;

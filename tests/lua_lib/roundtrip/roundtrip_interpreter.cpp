@@ -9,7 +9,7 @@ namespace gsim::roundtrip {
 
 namespace {
 
-// How a body ends: at its end, or early.
+// End of a body: at its end, or early.
 enum class Ended { normally, leave, next, given_back, too_long };
 
 // The local variables of a macro by the letters of its call.

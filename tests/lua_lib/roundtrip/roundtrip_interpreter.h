@@ -10,10 +10,10 @@
 
 namespace gsim::roundtrip {
 
-/// What a program must do.
+/// Required behaviour of a program.
 struct Reading {
     std::vector<Move> moves;
-    bool fragile = false;   ///< The last bit of rounding may decide its way.
+    bool fragile = false;   ///< The last bit of rounding may decide its course.
     bool too_long = false;  ///< It was ended at kMostMoves.
 };
 

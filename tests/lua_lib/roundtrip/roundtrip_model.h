@@ -7,8 +7,8 @@
 
 namespace gsim::roundtrip {
 
-/// A part program as the generator thinks of it. roundtrip_text.h writes it as G-code,
-/// roundtrip_interpreter.h says what it does; the two know nothing of each other.
+/// Part program in the generator's model. roundtrip_text.h writes it as G-code, roundtrip_interpreter.h
+/// computes its effect; the two are independent of each other.
 
 enum class Dialect { ab9, ngc };
 
@@ -66,7 +66,7 @@ struct Assignment {
     ExprPtr value;
 };
 
-/// What stands on one line; the order of codes and words means nothing.
+/// Content of one line; the order of codes and words is irrelevant.
 struct Block {
     std::vector<std::string> codes = {};  ///< "G17", "G59.1", "M6"
     std::vector<Word> words = {};
@@ -76,7 +76,7 @@ struct Block {
 struct Statement;
 using Body = std::vector<Statement>;
 
-/// Of a choice; without a condition it is the last one, for else.
+/// Branch of a choice; without a condition it is the last one, for else.
 struct Branch {
     ExprPtr condition;
     Body body;
@@ -84,14 +84,14 @@ struct Branch {
 
 enum class StatementKind {
     block,
-    choice,    ///< The first branch whose condition holds.
+    choice,    ///< The first branch with a true condition.
     loop,      ///< While `condition` holds before a pass.
-    do_loop,   ///< While `condition` holds behind a pass.
+    do_loop,   ///< While `condition` holds after a pass.
     repeat,    ///< `count` passes.
     leave,     ///< The innermost loop ends.
     next,      ///< The next pass of the innermost loop.
-    call,      ///< Of sub `sub`, in the way that is the sub's, `count` times where there is a count.
-    give_back  ///< The sub ends, with `result` where there is one.
+    call,      ///< Call of sub `sub`, in the manner of the sub, `count` times if `count` is given.
+    give_back  ///< The sub ends, with `result` if it has one.
 };
 
 struct Statement {
@@ -101,7 +101,7 @@ struct Statement {
     ExprPtr condition = {}, count = {}, result = {};
     Body body = {};
     std::size_t sub = 0;
-    std::vector<Word> arguments = {};  ///< Of a macro by letters, of an O-call in their order.
+    std::vector<Word> arguments = {};  ///< By letters for a macro, in their order for an O-call.
 };
 
 enum class CallKind { m98, macro, o_word };
@@ -109,7 +109,7 @@ enum class CallKind { m98, macro, o_word };
 struct Sub {
     CallKind kind = CallKind::m98;
     Body body = {};
-    ExprPtr result = {};  ///< At its end; may be none.
+    ExprPtr result = {};  ///< Result at its end; may be none.
 };
 
 struct Program {

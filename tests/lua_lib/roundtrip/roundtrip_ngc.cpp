@@ -38,7 +38,7 @@ std::optional<double> NgcControl::variable(int number) const {
     return program_point()[axis] / (is_rotary(at(axis)) ? 1 : unit_mm_);
 }
 
-// --- Where the program's zero point is: the G92 offset, then the rotation of the system, its origin, the
+// --- Position of the program's zero point: the G92 offset, then the rotation of the system, its origin, the
 // tool ---
 
 Control::Space NgcControl::turned(double degrees) {
@@ -98,7 +98,7 @@ void NgcControl::set_g10(const ReadBlock& block) {
     system.turn_deg = block.word("R").value_or(system.turn_deg);
 }
 
-// The origin of a system moves so that the machine stands at the given coordinates.
+// The origin of a system moves so that the machine is at the given coordinates.
 void NgcControl::set_origin_by_position(const ReadBlock& block, System& system) {
     const Point carriage = position_ - tool_offset_;
     Point seen = carriage - system.origin;
@@ -149,8 +149,8 @@ void NgcControl::to_level(bool rapid, double level) {
     to(rapid, target);
 }
 
-// What the block leaves out is that of the cycle before, if it is the same. In increments R counts from the
-// level at which the series began, the depth from R.
+// Words missing in the block are those of the cycle before, if it is the same. In increments R counts from
+// the level at which the series began, the depth from R.
 NgcControl::Hole NgcControl::read_levels(const ReadBlock& block) {
     if (motion_ != last_cycle_) held_ = {};
     last_cycle_ = motion_;
@@ -168,8 +168,8 @@ NgcControl::Hole NgcControl::read_levels(const ReadBlock& block) {
     return hole;
 }
 
-// The way to the first hole is at the level of the tool if that is above R, else at that where it will be
-// drawn out.
+// The path to the first hole is at the level of the tool if that is above R, else at the level of the
+// retract.
 void NgcControl::drill(const ReadBlock& block) {
     const auto [first, second, normal] = kPlanes[at(plane_)];
     if (!in_series_) initial_ = program_point()[normal];

@@ -14,7 +14,7 @@ class NgcControl : public Control {
     explicit NgcControl(const std::array<Point, 9>& systems);
 
     void run(const ReadBlock& block) override;
-    /// #5420 on: where the program stands.
+    /// #5420 on: the program's position.
     std::optional<double> variable(int number) const override;
 
   protected:
@@ -27,7 +27,7 @@ class NgcControl : public Control {
         Point origin = Point::Zero();
         double turn_deg = 0;
     };
-    /// What a cycle keeps as long as the same one goes on.
+    /// Values that a cycle keeps as long as the same one continues.
     struct Held {
         std::optional<double> r, depth, peck, dwell_s;
     };

@@ -44,8 +44,8 @@ void Shapes::add_axes(Block& block, const Scope& scope, const std::string& lette
         block.words.push_back({std::string(1, letter), values_.coordinate(scope.names)});
 }
 
-// Modal codes and axis words. What a position is would change within the block where it changes units or
-// systems.
+// Adds modal codes and axis words. The meaning of a position would change within the block if the block
+// changes units or systems.
 void Shapes::add_modes_and_axes(Block& block, Scope scope, const std::string& letters) {
     if (random_.chance(4)) block.codes.emplace_back(random_.chance(2) ? "G90" : "G91");
     if (random_.chance(8)) block.codes.push_back(fmt::format("G{}", random_.whole(17, 19)));
@@ -66,7 +66,7 @@ Block Shapes::line_block(const Scope& scope) {
     return block;
 }
 
-// The motion code stays in force in the blocks behind.
+// The motion code stays active in the following blocks.
 Body Shapes::lines(const Scope& scope) {
     Body body;
     add(body, line_block(scope));

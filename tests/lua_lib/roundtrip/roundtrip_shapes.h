@@ -9,15 +9,15 @@
 
 namespace gsim::roundtrip {
 
-/// What surrounds a piece of program.
+/// Surroundings of a program part.
 struct Scope {
     Names names;
     std::array<bool, 3> arcs{true, true, true};  ///< Planes in which an arc stays an arc.
     bool turned_systems = false;                 ///< RS274/NGC: systems are turned about Z.
 };
 
-/// Random blocks that mean something on their own, wherever the program comes by: an arc names its plane and
-/// its distance mode, an inverse time feed ends with the blocks that need it.
+/// Random blocks with a meaning of their own, wherever the program comes from: an arc names its plane and its
+/// distance mode, an inverse time feed ends with the blocks that need it.
 class Shapes {
   public:
     Shapes(Dialect dialect, Random& random) : dialect_(dialect), random_(random), values_(dialect, random) {}

@@ -17,12 +17,12 @@ namespace {
 using simulation::MoveKind;
 
 constexpr double kTolerance = 1e-6;
-constexpr double kStill = 1e-7;  // a move below this length is none
+constexpr double kStill = 1e-7;  // a shorter move counts as none
 constexpr unsigned kPrograms = 150;
 
 constexpr const char* kSystems[] = {"54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"};
 
-// What is stored for the work coordinate systems: the first ones.
+// Returns the stored values of the work coordinate systems: those of the first ones.
 std::array<Point, 9> stored_systems() {
     std::array<Point, 9> systems;
     for (std::size_t i = 0; i < systems.size(); ++i) {
@@ -119,7 +119,7 @@ void expect_same(const Reading& wanted, const script::Outcome& run) {
     EXPECT_EQ(found.size(), wanted.moves.size());
 }
 
-// GSIM_ROUNDTRIP_PROGRAMS asks for more of them than the test needs day by day.
+// GSIM_ROUNDTRIP_PROGRAMS requests more of them than the test needs day by day.
 unsigned programs() {
     const char* const wanted = std::getenv("GSIM_ROUNDTRIP_PROGRAMS");
     return wanted == nullptr ? kPrograms : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));

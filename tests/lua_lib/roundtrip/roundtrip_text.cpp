@@ -12,7 +12,7 @@ namespace {
 constexpr int kComparison = 2;
 constexpr int kPrimary = 6;
 
-// How tightly an operator binds (docs/language.md).
+// Returns how tightly an operator binds (docs/language.md).
 int binding(const std::string& op, Dialect dialect) {
     const auto is_one_of = [&op](std::initializer_list<const char*> names) {
         return std::find(names.begin(), names.end(), op) != names.end();
@@ -30,7 +30,7 @@ class ExprWriter {
   public:
     explicit ExprWriter(Dialect dialect) : dialect_(dialect) {}
 
-    // As an operand that must bind at least so tightly.
+    // Returns an operand that must bind at least so tightly.
     std::string operand(const Expr& e, int least) const {
         if (e.kind != ExprKind::binary) return primary(e);
         const std::string inner = joined(e);
@@ -90,7 +90,7 @@ class Writer {
     }
 
   private:
-    // Where a loop is left and where its next pass begins, in the 9/Series with GOTO.
+    // Labels at which a loop is left and its next pass begins, in the 9/Series with GOTO.
     struct OpenLoop {
         int leave = 0, next = 0;
     };

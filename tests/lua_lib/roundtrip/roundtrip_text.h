@@ -6,8 +6,8 @@
 
 namespace gsim::roundtrip {
 
-/// The program as G-code. The order of the words in a block, blanks, and where outer brackets that can be
-/// left out stand all the same, are drawn from the seed.
+/// Returns the program as G-code. The seed decides the order of the words in a block, the blanks, and which
+/// optional outer brackets are written.
 std::string program_text(const Program& program, unsigned seed);
 
 }  // namespace gsim::roundtrip

@@ -105,7 +105,7 @@ ExprPtr Values::coordinate(const Names& names) {
     return filled(names);
 }
 
-// A name or number, moved by a constant up to `most`.
+// Returns a name or number, moved by a constant up to `most`.
 ExprPtr Values::shifted(const Names& names, double most) {
     const ExprPtr a = leaf(Names{.readable = names.readable});
     return sum(a, constant(-most, most));
@@ -129,7 +129,7 @@ ExprPtr Values::positive(const Names& names, int low, int range) {
 ExprPtr Values::comparison(const Names& names) {
     static constexpr const char* kComparisons[] = {"EQ", "NE", "GT", "GE", "LT", "LE"};
     const ExprPtr a = random_.chance(2) ? leaf(names) : any(names, 1);
-    if (random_.chance(10))  // equal in RS274/NGC, where EQ has a tolerance
+    if (random_.chance(10))  // equal in RS274/NGC, because EQ has a tolerance
         return binary(a, random_.chance(2) ? "EQ" : "NE", sum(a, number("0.00005")));
     const char* const comparison = random_.pick(kComparisons);
     return binary(a, comparison, leaf(names));

@@ -28,21 +28,21 @@ class Random {
     std::mt19937 engine_;
 };
 
-/// What can be read and written where an expression stands.
+/// Names that an expression can read and write.
 struct Names {
-    std::vector<ExprPtr> readable = {};  ///< Of a size that stays below some hundreds.
+    std::vector<ExprPtr> readable = {};  ///< Size below some hundreds.
     std::vector<ExprPtr> writable = {};
-    std::vector<ExprPtr> counters = {};      ///< Of the loops around, whole numbers from 0 to 9.
+    std::vector<ExprPtr> counters = {};      ///< Counters of outer loops, integers from 0 to 9.
     std::vector<ExprPtr> unbounded = {};     ///< Positions and zero points.
     std::vector<std::string> optional = {};  ///< Named parameters that may be there or not.
 };
 
-/// Random expressions whose functions have a value whatever the variables hold.
+/// Random expressions with functions that have a value for any values of the variables.
 class Values {
   public:
     Values(Dialect dialect, Random& random) : dialect_(dialect), random_(random) {}
 
-    /// A number with up to `decimals` digits behind the point.
+    /// Returns a number with up to `decimals` digits after the point.
     ExprPtr constant(double low, double high, int decimals = 3);
     /// Any expression; it may be large.
     ExprPtr any(const Names& names, int depth);
@@ -53,7 +53,7 @@ class Values {
     /// From `low` to below `low + range`.
     ExprPtr positive(const Names& names, int low, int range);
     ExprPtr condition(const Names& names);
-    /// What a variable gets: its growth is slow.
+    /// Returns the value for a variable: its growth is slow.
     ExprPtr assigned(const Names& names);
 
   private:

@@ -65,7 +65,7 @@ const std::map<std::string, double>& Variables::scope(const std::string& name) c
     return name.front() == '_' ? globals_ : locals_.named;
 }
 
-// Of functions that jump where their argument is whole.
+// Checks the argument of functions that jump at integers.
 double Variables::step(double x) {
     const double off = std::abs(x - std::round(x));
     if (off != 0 && off < kNear * (1 + std::abs(x))) fragile_ = true;
@@ -133,7 +133,7 @@ double Variables::binary(const std::string& op, double a, double b) {
     if (op == "MOD") {
         const double size = dialect_ == Dialect::ngc ? std::abs(b) : b;
         const double quotient = step(a / size);
-        // The division rounds to a whole number what is none: 15.1 MOD 3.02 leaves nearly 3.02.
+        // The division rounds a non-integer to an integer: 15.1 MOD 3.02 leaves nearly 3.02.
         if (quotient == std::floor(quotient) && std::fmod(a, size) != 0) fragile_ = true;
         return a - size * std::floor(quotient);
     }

@@ -15,7 +15,7 @@ using Value = std::optional<double>;
 /// Variables and parameters, and the values of expressions, as the manuals of the two dialects have them.
 class Variables {
   public:
-    /// `system` answers for the variables that the control itself keeps (#5001, #5420, ..), nothing for
+    /// `system` returns the variables that the controller itself keeps (#5001, #5420, ..), and none for
     /// others.
     Variables(Dialect dialect, std::function<Value(int)> system)
         : dialect_(dialect), system_(std::move(system)) {}
@@ -35,7 +35,8 @@ class Variables {
     /// #<_value>
     void set_result(double value) { globals_["_value"] = value; }
 
-    /// A value lay so close to where a function jumps that the last bit of rounding decides the result.
+    /// Returns true if a value lay so close to a jump of a function that the last bit of rounding decides the
+    /// result.
     bool fragile() const { return fragile_; }
 
   private:

@@ -1,4 +1,4 @@
-// What grbl answers to $$ and $# as a machine.
+// Response of grbl to $$ and $# as a machine.
 
 #include "machine/import/grbl_dump.h"
 

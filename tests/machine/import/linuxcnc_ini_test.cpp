@@ -61,7 +61,7 @@ std::string error_of(const std::string& ini) {
     return imported ? "no error" : imported.error();
 }
 
-// All that decides on places and times is that of the samples, by which recordings are matched.
+// All values that decide on positions and times are those of the samples that match recordings.
 TEST(LinuxcncIni, TheRecordedMachinesAreTheSamples) {
     for (const auto& [name, ini] : {std::pair{"linuxcnc-gantry.toml", recorded(508, 490.3, 20, 2000)},
                                     std::pair{"linuxcnc-gantry254.toml", recorded(508, 490.3, 20, 254)},
@@ -268,7 +268,7 @@ TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
     EXPECT_THAT(imported.error(), testing::EndsWith("more than 1000 files are included"));
 }
 
-// The machine file reads back as the machine, and says where it is from.
+// The machine file reads back as the machine, and names its source.
 TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
     const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
     const auto imported = import_file(path);

@@ -75,7 +75,7 @@ TEST(DynamicsAgainstKdl, IsTheSameOnRandomChains) {
     }
 }
 
-// What the choice between both rests on (docs/dynamics.md); it asserts nothing of clocks.
+// The choice between both is based on this (docs/dynamics.md); it asserts no times.
 TEST(DynamicsAgainstKdl, TellsTheTimeOfBoth) {
     constexpr int kRounds = 20'000;
     Random random(12);

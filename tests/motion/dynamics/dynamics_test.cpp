@@ -22,7 +22,7 @@ Dynamics::Motion motion_of(const rrs::JointPos& position, const rrs::JointPos& v
     return {position, velocity, acceleration, senses(velocity)};
 }
 
-/// X carries Y, and that Z; each has a mass of its own.
+/// Returns X carrying Y, and Y carrying Z; each has its own mass.
 Chain gantry() {
     return Chain({.base = rrs::CartPos::Identity(),
                   .links = {joint(0, rrs::JointKind::prismatic, Vector3d::UnitX()),
@@ -86,7 +86,7 @@ TEST(Dynamics, TwoLinkArmIsThatOfTheTextbooks) {
 }
 
 TEST(Dynamics, TableThatTiltsHoldsAMassBesideItsAxis) {
-    // About X, with a mass 30 mm beside and 80 mm above: J a, and the weight's lever.
+    // The table turns about X, with a mass 30 mm off and 80 mm above: J a, and the weight's lever.
     const Chain table({}, {.base = rrs::CartPos::Identity(),
                            .links = {joint(0, rrs::JointKind::revolute, Vector3d::UnitX())},
                            .end = rrs::CartPos::Identity()});
@@ -158,7 +158,7 @@ TEST(Dynamics, AtRestOnlyWeightsCount) {
         const rrs::JointPos q = random.joints(5, 2);
         const rrs::JointPos zero = rrs::JointPos::Zero(5);
         const Efforts held = Dynamics(chain, model).efforts(motion_of(q, zero, zero));
-        // In a lift that goes down as fast as all falls nothing is to be held.
+        // In a lift in free fall no weight has to be held.
         model.gravity_m_s2 *= 2;
         EXPECT_LT((Dynamics(chain, model).efforts(motion_of(q, zero, zero)) - 2 * held).norm(),
                   1e-12 * held.norm());
@@ -179,7 +179,8 @@ TEST(Dynamics, PartOfTheAccelerationIsTheMassMatrix) {
         const Efforts whole = dynamics.efforts(motion_of(q, v, a));
         const Efforts rest = dynamics.efforts(motion_of(q, v, zero));
         EXPECT_LT((whole - rest - dynamics.inertial(q, a)).norm(), 1e-10 * whole.norm());
-        // Symmetric: what one joint's acceleration asks of another one, that asks of it (in m and rad).
+        // The matrix is symmetric: the effort on one joint by another's acceleration equals that in reverse
+        // (in m and rad).
         const auto si = [&](int joint, double value) {
             return chain.kind(joint) == rrs::JointKind::prismatic ? 1000 * value : value;
         };

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A smooth way of the joints: sums of sines, with its derivatives.
+/// Smooth path of the joints: sums of sines, with its derivatives.
 class Way {
   public:
     Way(Random& random, const Chain& chain) : chain_(chain) {
@@ -37,7 +37,7 @@ class Way {
     std::vector<rrs::JointPos> sizes_, rates_;
 };
 
-/// Bodies with the frames that they stand in, from both sides of the chain.
+/// Bodies with their frames, from both sides of the chain.
 struct Placed {
     const RigidBody* body;
     Eigen::Isometry3d frame;
@@ -120,13 +120,13 @@ TEST(Energy, WorkOfTheMotorsIsWhatTheMachineHasAndWhatFrictionTakes) {
         const Way way(random, chain);
         double work = 0;
         double friction = 0;
-        double through = 0;                  // all that went, whichever way
+        double through = 0;                  // total energy, in any direction
         for (int i = 0; i <= kSteps; ++i) {  // Simpson's rule
             const double t_s = kTime_s * i / kSteps;
             const double weight = (i == 0 || i == kSteps ? 1 : (i % 2 == 1 ? 4 : 2)) * kTime_s / kSteps / 3;
             const rrs::JointPos v = way.at(t_s, 1);
-            // Coulomb's friction jumps where a joint turns back, which no rule of integration likes: its work
-            // is another test's.
+            // Coulomb's friction jumps if a joint reverses, which disturbs every rule of integration: another
+            // test checks its work.
             const Dynamics::Motion motion{way.at(t_s, 0), v, way.at(t_s, 2),
                                           rrs::JointPos::Zero(chain.joint_count())};
             const double power = dynamics.powers_w(dynamics.efforts(motion), v).sum();

@@ -12,7 +12,7 @@ using kinematics::Chain;
 using kinematics::joint_pos;
 using kinematics::Link;
 
-/// A joint that stands at `at` (mm) of the frame behind the one before and moves along or about `direction`.
+/// Returns a joint at `at` (mm) of the preceding frame that moves along or about `direction`.
 inline Link joint(int index, rrs::JointKind kind, const Eigen::Vector3d& direction,
                   const Eigen::Vector3d& at = Eigen::Vector3d::Zero()) {
     rrs::CartPos place = rrs::CartPos::Identity();
@@ -62,7 +62,7 @@ class Random {
         for (double& value : values) value = from(-greatest, greatest);
         return values;
     }
-    /// A box of even density, turned any way.
+    /// Returns a box of even density in any orientation.
     RigidBody body() {
         const double mass_kg = from(0.5, 40);
         const Eigen::Vector3d size_m = vector(0.4).cwiseAbs();
@@ -73,7 +73,7 @@ class Random {
                 .centre_m = vector(0.3),
                 .inertia_kg_m2 = axes * moments.asDiagonal() * axes.transpose()};
     }
-    /// Joints of both kinds in any places, some of which carry the work.
+    /// Returns joints of both kinds at any positions, some of which carry the work.
     Chain chain(int tool_joints, int work_joints) {
         Branch tool{.base = pose(500), .end = pose(100)};
         Branch work{.base = pose(500), .end = pose(100)};

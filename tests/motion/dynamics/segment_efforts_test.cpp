@@ -59,7 +59,7 @@ TEST(SegmentEfforts, RestHoldsTheWeight) {
     EXPECT_NEAR(sums.squares[0] + sums.in_j.sum() + sums.back_j.sum() + sums.friction_j.sum(), 0, 1e-20);
 }
 
-// Along a whole circle at even speed: each slide turns back twice, and Coulomb's friction with it.
+// Along a full circle at constant speed each slide reverses twice, and Coulomb's friction with it.
 TEST(SegmentEfforts, CircleAtEvenSpeed) {
     const Dynamics dynamics = three_slides(40, 100);
     constexpr double kRadius_m = 0.05;
@@ -78,7 +78,7 @@ TEST(SegmentEfforts, CircleAtEvenSpeed) {
     const double time_s = 2 * std::numbers::pi * kRadius_m / kSpeed_m_s;
     EXPECT_NEAR(sums.friction_j[0], 40 * 4 * kRadius_m + 100 * kSpeed_m_s * kSpeed_m_s / 2 * time_s, 1e-7);
     EXPECT_NEAR(sums.in_j[1] - sums.back_j[1], sums.friction_j[1], 1e-7);
-    // m a and friction are a quarter of a turn apart: their product is 0 on the whole.
+    // m a and friction are a quarter of a turn out of phase: their product is 0 in total.
     const double inertia = 122 * kSpeed_m_s * kSpeed_m_s / kRadius_m;
     const double viscous = 100 * kSpeed_m_s;
     const double both = 2 * 40 * viscous * 2 / std::numbers::pi;

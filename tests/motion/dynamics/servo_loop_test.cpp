@@ -10,7 +10,7 @@
 namespace gsim::dynamics {
 namespace {
 
-/// The loop as it is told: a position loop around a lag, by Runge's and Kutta's rule of fourth order.
+/// Loop as defined: a position loop around a lag, by the fourth-order rule of Runge and Kutta.
 class Integrated {
   public:
     Integrated(const ServoLoop& loop, const SpeedPolynomial& speed, const ServoError& start)
@@ -87,7 +87,7 @@ TEST(ServoStep, RateIsThatOfTheError) {
     EXPECT_NEAR(step.at(0).rate, -30, 1e-9);
 }
 
-// Pieces join as if there were one: whatever rounding a long way adds.
+// Parts join as if they were one: they add only the rounding of a long path.
 TEST(ServoStep, ManyShortStepsAreOneLongOne) {
     const ServoLoop loop{.gain_1_s = 25, .velocity_share = 0.2, .lag_s = 0.004};
     ServoError error;

@@ -1,4 +1,4 @@
-// Servo loops along segments: rests, jumps, motions beside one another, delays.
+// Servo loops along segments: dwells, jumps, superimposed motions, delays.
 #include "motion/dynamics/servo_motion.h"
 
 #include <cmath>
@@ -52,7 +52,7 @@ TEST(ServoMotion, ConstantSpeedFromTheStart) {
     EXPECT_NEAR(servos.set_points(2)[0], 105, 1e-9);
 }
 
-// The clock goes on between two segments: a rest, in which the error dies away.
+// The clock continues between two segments: a dwell, in which the error decays.
 TEST(ServoMotion, GapBetweenSegmentsIsARest) {
     ServoMotion servos({{.gain_1_s = 20}}, {false});
     servos.begin(joint_pos({0}));
@@ -105,7 +105,7 @@ TEST(ServoMotion, RestOnABeltLagsByTheSpeedOfTheBelt) {
     EXPECT_NEAR(error(servos, 5), 4 * std::exp(-25), 1e-9);
 }
 
-// An axis without any limit is elsewhere at once; it takes its time all the same.
+// An axis without any limit is elsewhere at once, but still takes its time.
 TEST(ServoMotion, JumpOfTheSetPointIsAnErrorAtOnce) {
     ServoMotion servos({{.gain_1_s = 10}}, {false});
     servos.begin(joint_pos({0}));
@@ -140,7 +140,7 @@ TEST(ServoMotion, CircleThroughALag) {
     EXPECT_NEAR(std::atan2(-end[1], end[0]), std::atan(w / kGain_1_s), 1e-9);
 }
 
-// Nothing is left to see of joints at a constant speed: long motions and rests take few steps.
+// Joints at a constant speed show no more change: long motions and dwells take few steps.
 TEST(ServoMotion, LongMotionsTakeFewSteps) {
     ServoMotion servos({{.gain_1_s = 20, .lag_s = 0.002}}, {false});
     servos.begin(joint_pos({0}));

@@ -143,7 +143,7 @@ TEST(Chain, JointsAreNumberedFromZeroUp) {
     EXPECT_THROW(Chain{gap}, std::invalid_argument);
 }
 
-// What feeds filament has a value, and moves neither the tool nor the work.
+// An axis that feeds filament has a value, and moves neither the tool nor the work.
 TEST(Chain, IdleJointsMoveNothing) {
     RandomPoses random(7);
     Branch tool{.base = random.pose(500), .end = random.pose(100)};

@@ -17,7 +17,7 @@ inline DhLink turn(double theta_rad, double alpha_rad) {
     return {.kind = rrs::JointKind::revolute, .theta_rad = theta_rad, .alpha_rad = alpha_rad};
 }
 
-/// x0 = +Z, y0 = -Y, z0 = +X of the world, so that the first slide goes along X.
+/// Returns x0 = +Z, y0 = -Y, z0 = +X of the world, so that the first slide moves along X.
 inline rrs::CartPos gantry_base() {
     rrs::CartPos base = rrs::CartPos::Identity();
     base.linear().col(0) = Eigen::Vector3d::UnitZ();
@@ -26,7 +26,7 @@ inline rrs::CartPos gantry_base() {
     return base;
 }
 
-/// Slides along X, Y, Z, then B about the vertical and C tilting, both through the tip.
+/// Returns slides along X, Y, Z, then B about the vertical and C tilting, both through the TCP.
 inline std::vector<DhLink> gantry_rows() {
     return {slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0), turn(0, -kQuarter),
             turn(0, kQuarter)};

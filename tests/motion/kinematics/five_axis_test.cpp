@@ -15,7 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using rrs::JointKind;
 
-// A joint whose Z is `direction` in the world, the frames of joints before and behind being the world's.
+// Returns a joint with `direction` in the world as its Z. The frames of joints before and after it are the
+// world's.
 Link joint_along(int joint, JointKind kind, const Vector3d& direction, const Vector3d& place) {
     Link link{.joint = joint, .kind = kind};
     link.before.linear() =
@@ -39,7 +40,7 @@ Chain random_machine(RandomPoses& random, int rotary) {
             (axis + 0.4 * Vector3d(random.number(-1, 1), random.number(-1, 1), 0)).normalized());
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        // A slide behind rotary axes goes with them; the slides stay near the world, so that they span space.
+        // A slide after rotary axes moves with them; the slides stay near the world, so that they span space.
         Branch& side = random.number(0, 1) < 0.5 ? tool : work;
         const Vector3d place(random.number(-100, 100), random.number(-100, 100), random.number(-100, 100));
         side.links.push_back(joint_along(static_cast<int>(i), joints[i].first, joints[i].second, place));
@@ -67,7 +68,7 @@ TEST(FiveAxis, InverseAndForwardUndoEachOtherOnRandomMachines) {
     }
 }
 
-// Every solution has the tip and the tool's axis right; with two rotary axes there are two ways to tilt.
+// Every solution has the TCP and the tool's axis right; two rotary axes can tilt in two directions.
 TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
     RandomPoses random(12);
     for (int machine = 0; machine < 100; ++machine) {
@@ -93,7 +94,7 @@ TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
 
 TEST(FiveAxis, ASolutionInRangeComesBeforeANearerOne) {
     std::vector<JointRange> ranges(5);
-    ranges[4] = {.min = -0.1, .max = 2};  // tilts one way
+    ranges[4] = {.min = -0.1, .max = 2};  // tilts to one side
     const auto gantry = GantryKinematics::make(standard_gantry(), ranges).value();
     rrs::CartPos pose = gantry->forward(joint_pos({1, 2, 3, 0.5, -0.3}));
     pose.rotate(Eigen::AngleAxisd(1, Vector3d::UnitZ()));
@@ -117,7 +118,7 @@ TEST(FiveAxis, WholeTurnsStayInRange) {
     EXPECT_NEAR(at(0, 6), 0, 1e-12);
 }
 
-// Z behind the tilting axis lies along Y when that has turned by 90 degrees.
+// Z after the tilting axis lies along Y if that axis has turned by 90 degrees.
 TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
     Branch tool;
     tool.links = {joint_along(0, JointKind::prismatic, Vector3d::UnitX(), Vector3d::Zero()),
@@ -131,7 +132,7 @@ TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
         "The pose is singular: with the rotary axes as it needs them, the linear axes move in one plane.");
 }
 
-// A head that turns the tool about its tip is one by its tip, not by its directions alone.
+// A head that turns the tool about its TCP is defined by its TCP, not by its directions alone.
 TEST(FiveAxis, ATipOffTheRotationPointMakesNoTiltingHead) {
     const auto with_tool = [](double z_mm) {
         return GantryKinematics::make(DhChain(gantry_base(), gantry_rows(), pose_from_rpy({.z_mm = z_mm})))

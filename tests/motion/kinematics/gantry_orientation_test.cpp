@@ -21,7 +21,7 @@ std::shared_ptr<const GantryKinematics> gantry() {
     return GantryKinematics::make(standard_gantry()).value();
 }
 
-// A pose of joints (0, 0, 0, b, c) with the tool turned about its own axis besides.
+// Returns a pose of joints (0, 0, 0, b, c) with the tool also turned about its own axis.
 rrs::CartPos spun(double b, double c, double spin) {
     rrs::CartPos pose = gantry()->forward(joint_pos({0, 0, 0, b, c}));
     pose.rotate(AngleAxisd(spin, Vector3d::UnitZ()));
@@ -43,7 +43,7 @@ TEST(GantryOrientation, ToolAxisIsMatchedWhereTheWholeRotationCannotBe) {
 }
 
 TEST(GantryOrientation, OfTwoSolutionsTheNearestIsTaken) {
-    // (b, c) and (b + pi, -c) point the tool the same way.
+    // (b, c) and (b + pi, -c) point the tool in the same direction.
     const auto first = gantry()->inverse(spun(0.5, 0.3, 1), joint_pos({0, 0, 0, 0.6, 0.2})).value();
     EXPECT_NEAR(first[3], 0.5, 1e-9);
     EXPECT_NEAR(first[4], 0.3, 1e-9);
@@ -86,7 +86,7 @@ TEST(GantryOrientation, ToolAxisOutOfReachIsAnError) {
                 testing::HasSubstr("2 rotary axes cannot bring the tool into direction"));
 }
 
-// With the tool along the second axis, that axis is the turn about the tool: nothing is left to the machine.
+// If the tool is along the second axis, that axis is the turn about the tool: the machine has no free choice.
 TEST(GantryOrientation, ToolAlongTheSecondAxisIsTurnedAsThePoseSays) {
     std::vector<DhLink> rows = gantry_rows();
     rows[4].alpha_rad = 0;
@@ -98,13 +98,13 @@ TEST(GantryOrientation, ToolAlongTheSecondAxisIsTurnedAsThePoseSays) {
     EXPECT_FALSE(head->inverse(pose_from_rpy({.yaw_rad = 0.1}), q));
 }
 
-// The pole is where the tool points with the tilt undone, wherever the head is turned.
+// The pole is the tool's direction with the tilt undone, wherever the head is turned.
 TEST(GantryOrientation, AHeadTiltsTheToolFromItsPole) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
     for (int i = 0; i < 100; ++i) {
         auto rows = gantry_rows();
-        rows[4].theta_rad = number(random);  // where the tilt is 0
+        rows[4].theta_rad = number(random);  // angle at which the tilt is 0
         auto base = gantry_base();
         base.rotate(AngleAxisd(number(random), Vector3d::UnitX()));
         const auto gantry = GantryKinematics::make(DhChain(base, rows, rrs::CartPos::Identity())).value();

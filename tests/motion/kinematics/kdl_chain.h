@@ -26,7 +26,7 @@ inline KDL::Segment fixed(const rrs::CartPos& pose) {
     return KDL::Segment(KDL::Joint(KDL::Joint::None), to_kdl(pose));
 }
 
-/// A link as KDL has it: rows of a table by its own reading of them.
+/// Adds a link in KDL's form: rows of a table by KDL's own reading of them.
 inline void add_link(const Link& link, KDL::Chain& chain) {
     const KDL::Joint joint(link.kind == rrs::JointKind::revolute ? KDL::Joint::RotZ : KDL::Joint::TransZ);
     if (link.row) {

@@ -42,7 +42,7 @@ TEST(Numeric, FindsJointsForRandomPoses) {
     }
 }
 
-// With a spherical wrist and an arm of three links there are eight ways to a pose in general.
+// With a spherical wrist and an arm of three links, a pose generally has eight solutions.
 TEST(Numeric, AllEightSolutionsOfAnArmAreFound) {
     const auto robot = numeric();
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0.9, -1});

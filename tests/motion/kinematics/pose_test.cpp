@@ -20,7 +20,7 @@ TEST(Pose, RollTurnsAboutZPitchAboutYYawAboutX) {
 }
 
 TEST(Pose, YawActsFirstAndRollLast) {
-    // Y goes to Z by the yaw, to X by the pitch, to Y by the roll.
+    // Y moves to Z by the yaw, to X by the pitch, to Y by the roll.
     const rrs::CartPos pose =
         pose_from_rpy({.x_mm = 1, .roll_rad = kPi / 2, .pitch_rad = kPi / 2, .yaw_rad = kPi / 2});
     EXPECT_TRUE((pose * Vector3d::UnitY()).isApprox(Vector3d(1, 1, 0)));

@@ -19,7 +19,7 @@ class RandomPoses {
 
     double number(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
 
-    /// Any place within `mm` of the origin, any orientation.
+    /// Returns any position within `mm` of the origin, and any orientation.
     rrs::CartPos pose(double mm) {
         return pose_from_rpy({.x_mm = number(-mm, mm),
                               .y_mm = number(-mm, mm),
@@ -45,7 +45,7 @@ class RandomPoses {
     std::mt19937 random_;
 };
 
-/// How far two poses are apart, the greater of mm and rad.
+/// Returns the distance of two poses, the larger of mm and rad.
 inline double apart(const rrs::CartPos& a, const rrs::CartPos& b) {
     const Eigen::Quaterniond turn(a.linear().transpose() * b.linear());
     return std::max((a.translation() - b.translation()).norm(),

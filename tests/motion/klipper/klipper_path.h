@@ -11,8 +11,8 @@
 
 namespace gsim::motion {
 
-/// Three slides without limits of their own, but for Z (20 mm/s, 200 mm/s2), on a path of 100 mm/s and
-/// 1000 mm/s2: square corner velocity 5 mm/s, minimum cruise ratio 0.5, chords of 1 mm.
+/// Returns three slides without limits of their own, except Z (20 mm/s, 200 mm/s2), on a path of 100 mm/s and
+/// 1000 mm/s2. The square corner velocity is 5 mm/s, the minimum cruise ratio 0.5, chords are 1 mm.
 inline PlannerSetup klipper_setup() {
     PlannerSetup setup = three_slides();
     for (JointSetup& joint : setup.joints) joint.max_speed = joint.max_acceleration = kUnlimited;
@@ -24,7 +24,7 @@ inline PlannerSetup klipper_setup() {
     return setup;
 }
 
-/// The same with an extruder as its fourth joint: 80 mm/s, 800 mm/s2, and it stands a jump of 1 mm/s.
+/// Returns the same with an extruder as its fourth joint: 80 mm/s, 800 mm/s2, and a permitted jump of 1 mm/s.
 inline PlannerSetup printer_setup() {
     PlannerSetup setup = klipper_setup();
     setup.joints.push_back({.max_speed = 80, .max_acceleration = 800, .max_speed_step = 1});
@@ -35,7 +35,7 @@ inline PlannerSetup printer_setup() {
     return setup;
 }
 
-/// Lines and arcs one behind the other, planned as Klipper does.
+/// Consecutive lines and arcs, planned as Klipper does.
 class KlipperPath {
   public:
     explicit KlipperPath(PlannerSetup setup = klipper_setup())

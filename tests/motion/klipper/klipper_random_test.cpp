@@ -1,4 +1,5 @@
-// Random paths: what leaves the model early has the speeds that it would have with the whole path known.
+// Random paths: moves that leave the model early have the speeds that they would have with the complete path
+// known.
 
 #include <cmath>
 #include <random>
@@ -22,8 +23,8 @@ struct Speeds {
     double start, cruise, end;
 };
 
-/// Klipper's rules over a whole path at once, written for this test: entries of both plans from the end, then
-/// forward the groups of moves that rise and fall together, each with its peak.
+/// Klipper's rules over a complete path at once, written for this test: entries of both plans from the end.
+/// Then come, forward, the groups of moves that rise and fall together, each with its peak.
 class WholePath {
   public:
     WholePath(const std::vector<Step>& steps, double corner_mm_s, double path_acceleration)
@@ -167,7 +168,7 @@ TEST(KlipperRandom, SpeedsAreThoseOfTheWholePath) {
     }
 }
 
-// A path of many moves leaves the model as it goes.
+// Moves of a long path leave the model during planning.
 TEST(KlipperRandom, HoldsNoMoreThanWhatItBrakesOn) {
     KlipperPath path;
     for (int i = 1; i <= 20'000; ++i) {

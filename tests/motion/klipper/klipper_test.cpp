@@ -1,4 +1,4 @@
-// Klipper's look-ahead against closed forms.
+// Look-ahead of Klipper against closed forms.
 
 #include <cmath>
 
@@ -179,7 +179,7 @@ TEST(KlipperExtruder, DrawnBackOnTheWayItLowersTheTool) {
 
 TEST(KlipperExtruder, AsDoesWhatItPushesWhileTheToolOnlyClimbs) {
     KlipperPath path{printer_setup()};
-    path.line(at(0, 20, 2));  // E: 8 mm/s along the way; Z: 20
+    path.line(at(0, 20, 2));  // E: 8 mm/s along the path; Z: 20
     path.rest();
     const double v = 8, a = 80;
     EXPECT_NEAR(path.time_s(), 2 / v + v / a, kSame);

@@ -1,4 +1,4 @@
-// Corners in G64: blend arcs within the tolerance, parabolic blends where rotary joints move.
+// Corners in G64: blend arcs within the tolerance, parabolic blends if rotary joints move.
 
 #include <random>
 
@@ -37,8 +37,8 @@ TEST(LinuxcncBlend, MissesACornerByTheTolerance) {
         EXPECT_EQ(blend.target_id, 2);
         EXPECT_NEAR(blend.deviation_mm, tolerance_mm, 1e-9);
         EXPECT_EQ(run.segments[0].deviation_mm + run.segments[2].deviation_mm, 0);
-        // From corner to centre is R sqrt 2, so the arc of a right angle misses it by R (sqrt 2 - 1). The
-        // speed on it takes 0.866 of the acceleration.
+        // From corner to centre is R sqrt 2. The arc of a right angle therefore misses the corner by R (sqrt
+        // 2 - 1). The speed on it takes 0.866 of the acceleration.
         const double radius_mm = tolerance_mm / (std::sqrt(2.0) - 1);
         EXPECT_NEAR(blend.arc.radius_mm, radius_mm, 1e-9 * radius_mm);
         EXPECT_NEAR(blend.lead.peak_speed(), std::min(100.0, std::sqrt(std::sqrt(0.75) * kA * radius_mm)),
@@ -81,7 +81,8 @@ TEST(LinuxcncBlend, TouchesLinesAndArcsWithoutAKink) {
         for (std::size_t k = 0; k + 1 < run.segments.size(); ++k) {
             const JointState before = run.segments[k].at(run.segments[k].duration_s);
             const JointState after = run.segments[k + 1].at(0);
-            // What an axis' acceleration can turn within a period, shared by two ends of a blend.
+            // The limit is the change by an axis' acceleration within a period, shared by two ends of a
+            // blend.
             ASSERT_LT((after.velocity - before.velocity).cwiseAbs().maxCoeff(), kA * 1e-3) << "case " << i;
         }
         blends += run.segments.size() > 2 ? 1 : 0;
@@ -106,7 +107,7 @@ TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
     ASSERT_TRUE(both.beside);
     EXPECT_EQ(both.target_id, 2);
     EXPECT_NEAR(both.beside->duration_s, both.duration_s, 1e-12);
-    // Each of both goes its own way from rest to rest, at half of the acceleration that B allows.
+    // Each of both moves runs from standstill to standstill, at half of the acceleration that B allows.
     const double first_mm_s2 = std::min(kA, 100 / 0.2 * kPi / 9) / 2,
                  second_mm_s2 = std::min(kA, 80 / 0.2 * kPi / 9) / 2;
     const double first_s = run.segments[0].duration_s + both.duration_s;
@@ -123,7 +124,8 @@ TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
 }
 
 TEST(LinuxcncBlend, AToleranceBoundsParabolas) {
-    // Two right angles of motion: the speed when the second starts is at most 2 sqrt(a P / cos 45 deg).
+    // For two motions at right angles, the speed at the start of the second is at most 2 sqrt(a P / cos 45
+    // deg).
     for (const double tolerance_mm : {0.01, 0.1, 1.0}) {
         LinuxcncRun run(fast_machine(), 0);
         run.next.mode = rrs::PathMode::continuous;

@@ -10,13 +10,13 @@ namespace gsim::motion::linuxcnc_curves_test {
 namespace {
 
 constexpr double kA = 1000, kV = 100, kPeriod_s = 1e-3;
-constexpr double kSame = 1 + 1e-3;  // what a period less at the end costs the rest of a way
+constexpr double kSame = 1 + 1e-3;  // cost of a period less at the end, for the remaining path
 
 double ramp_s(double speed, double jerk) {
     return speed < kA * kA / jerk ? 2 * std::sqrt(speed / jerk) : speed / kA + kA / jerk;
 }
 
-// The speed at which the way of both ramps is the length.
+// Returns the speed at which both ramps together have the length.
 double peak(double length_mm, double jerk) {
     double low = 0, high = std::sqrt(kA * length_mm);
     for (int i = 0; i < 100; ++i) {
@@ -38,7 +38,7 @@ class LinuxcncCurves : public testing::TestWithParam<double> {
 
 INSTANTIATE_TEST_SUITE_P(Jerks, LinuxcncCurves, testing::Values(5e3, 2e4, 1e6, 1e9));
 
-// Whole periods, of which the last one is that in which no more than 1e-6 mm is left.
+// The time is a number of full periods; the last one is that in which no more than 1e-6 mm remains.
 TEST_P(LinuxcncCurves, ALineFromRestToRestTakesWholePeriods) {
     const double creep_s = std::cbrt(6e-6 / jerk()) + std::sqrt(2e-6 / kA);
     for (const double length_mm : {0.01, 0.5, 10.0, 1000.0}) {
@@ -85,8 +85,8 @@ TEST_P(LinuxcncCurves, TheLastLineIsMetAtWhatItCanBrake) {
     }
 }
 
-// Lines one behind the other, of all lengths and feeds, but for the last joint: LinuxCNC leaves the jerk
-// where it cannot reach the speed there.
+// Consecutive lines of all lengths and feeds, except for the last joint: LinuxCNC drops the jerk limit if it
+// cannot reach the speed there.
 TEST_P(LinuxcncCurves, LimitsAreKeptAlongLines) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -167,7 +167,7 @@ TEST(LinuxcncCurvesOfRotaryAxes, AnAxisHasItsOwnJerk) {
     EXPECT_NEAR(run.end(), 2 + ramp, kPeriod_s);
 }
 
-// As in LinuxCNC, where nothing then limits the jerk of the whole move.
+// This is as in LinuxCNC, which then does not limit the jerk of the complete move.
 TEST(LinuxcncCurvesOfRotaryAxes, OneAxisWithoutALimitLeavesTheMoveStraight) {
     PlannerSetup setup = router_2_10(5000);
     setup.joints[1].max_jerk = kUnlimited;

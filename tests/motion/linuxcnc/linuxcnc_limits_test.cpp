@@ -1,4 +1,4 @@
-// What the model refuses, and values of no real machine.
+// Inputs that the model rejects, and values of no real machine.
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-// Tangent runs: how fast they are passed, how far the look goes, how much is held back.
+// Tangent runs: their speed, the range of the look-ahead, and the number of pending moves.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
         straight_run(run, 1000, kLength_mm);
         run.end();
         expect_chain(run);
-        // Behind a junction `depth - 1` lines are whole and one counts by half.
+        // After a junction `depth - 1` lines count fully and one by half.
         const double seen_mm = (depth - 0.5) * kLength_mm;
         EXPECT_LE(top_speed(run), std::sqrt(2 * kA * (seen_mm + kLength_mm)));
         EXPECT_GE(top_speed(run), std::sqrt(2 * kA * seen_mm) * (1 - 1e-9));
@@ -48,7 +48,7 @@ TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
     }
 }
 
-// Each junction's speed lets what is known stop: v^2 / 2a is no more than the way to the end.
+// Each junction's speed lets the known path stop: v^2 / 2a is no more than the distance to the end.
 TEST(LinuxcncLookAhead, CanAlwaysStopAtTheEnd) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
@@ -76,7 +76,7 @@ TEST(LinuxcncLookAhead, AKinkIsPassedAtATenthOfTheAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(100, 0));
-    // The kink of 100 mm/s by this angle within 1 ms takes some 4 % of the acceleration.
+    // The corner at 100 mm/s by this angle within 1 ms takes some 4 % of the acceleration.
     ASSERT_TRUE(run.line(200, 100 * 2e-4));
     ASSERT_TRUE(run.line(200, 100));
     run.end();

@@ -18,8 +18,8 @@ Stretch random_stretch(std::mt19937& random) {
             500 * std::pow(10, decade(random) / 2)};
 }
 
-// Period by period: as fast as the limits and the rest of the way allow, where one more period at the new
-// speed v and then braking takes (v_old + v) dt / 2 + v^2 / 2a.
+// Returns the time period by period, as fast as the limits and the remaining path allow. One more period at
+// the new speed v and then braking takes (v_old + v) dt / 2 + v^2 / 2a.
 double stepped_s(const Stretch& stretch, double dt) {
     const double step = stretch.acceleration * dt;
     double speed = 0, left = stretch.length, time_s = 0;
@@ -80,7 +80,7 @@ TEST(LinuxcncProfile, KeepsTheLimitsAndEndsAtRestInPlace) {
 }
 
 TEST(LinuxcncProfile, SlowerThanOnePeriodOfAcceleration) {
-    // 0.1 mm/s at 490 mm/s2: the ramps take no time that could be seen.
+    // 0.1 mm/s at 490 mm/s2: the ramps take no visible time.
     const Law law = rest_to_rest({1, 0.1, 490.3}, kMillisecond).law;
     EXPECT_NEAR(law.duration_s(), 10, 2e-3);
     EXPECT_NEAR(law.length(), 1, 1e-9);
@@ -95,7 +95,7 @@ TEST(LinuxcncProfile, RampsBetweenSpeedsTakeWhatEnergySays) {
     const Profile slower = from_speed_to_speed({100, 40, 200}, 60, 10);  // brakes to its own speed first
     const double cruise_mm = 100 - (60 * 60 - 10 * 10) / (2 * 200.0);
     EXPECT_NEAR(slower.law.duration_s(), 50 / 200.0 + cruise_mm / 40, 1e-9);
-    const Profile stop = from_speed_to_speed({1, 1000, 200}, 100, 0);  // has to, whatever it takes
+    const Profile stop = from_speed_to_speed({1, 1000, 200}, 100, 0);  // must stop, whatever it takes
     EXPECT_EQ(stop.end_speed, 0);
     EXPECT_NEAR(stop.law.length(), 1, 1e-12);
 }

@@ -49,7 +49,7 @@ class Programs {
     std::mt19937 random_;
 };
 
-// The tool's speed has no jump that its axes could not make within a period; a stop has none at all.
+// The tool's speed has no jump that its axes could not make within a period; at a stop it has none at all.
 void expect_no_jumps(const LinuxcncRun& run) {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     for (const Segment& segment : run.segments) {
@@ -115,8 +115,8 @@ TEST(LinuxcncRandom, CurvesJoinWithoutAJump) {
     }
 }
 
-/// A move that ends before the one from whose end it started comes to rest, as that turns a slow joint: the
-/// rest of that leads to its end.
+/// A move that ends before the preceding move comes to a standstill, because that move turns a slow joint.
+/// The remainder of that move runs to the end of the short one.
 TEST(LinuxcncRandom, AShortMoveStandsFirst) {
     std::mt19937 random(45);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -173,7 +173,7 @@ TEST(LinuxcncRandom, MachinesWithAnyJoints) {
     }
 }
 
-// What has been put out does not depend on when the rest follows: a run equals its own beginning.
+// Emitted segments do not depend on when the remainder follows: a run equals its own beginning.
 TEST(LinuxcncRandom, WhatIsPutOutIsFinal) {
     for (unsigned seed = 50; seed < 60; ++seed) {
         Programs one(seed), other(seed);
@@ -190,7 +190,7 @@ TEST(LinuxcncRandom, WhatIsPutOutIsFinal) {
     }
 }
 
-// Twice as large with twice the speeds and accelerations takes the same time.
+// A program twice as large with twice the speeds and accelerations takes the same time.
 TEST(LinuxcncRandom, Scales) {
     for (unsigned seed = 70; seed < 80; ++seed) {
         PlannerSetup larger = fast_machine();

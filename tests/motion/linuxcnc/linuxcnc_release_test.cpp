@@ -1,4 +1,4 @@
-// What the planner of LinuxCNC 2.10 does otherwise than that of 2.9, with straight ramps.
+// Differences of the planner of LinuxCNC 2.10 from that of 2.9, with straight ramps.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ double circle_s(double radius_mm, rrs::PathMode mode) {
     return run.end();
 }
 
-// What the speed of the axes leaves of the acceleration is for the ramps.
+// The ramps get the part of the acceleration that the speed of the axes leaves.
 TEST(LinuxcncRelease, ALoneCircleHasWhatItDoesNotNeedAcross) {
     const double along = kA * std::sqrt(1 - std::pow(kV * kV / kA / 20, 2));
     EXPECT_NEAR(circle_s(20, rrs::PathMode::exact_path), 2 * kPi * 20 / kV + kV / along, kPeriods_s);

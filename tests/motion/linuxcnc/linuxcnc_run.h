@@ -37,7 +37,7 @@ class LinuxcncRun final : public SegmentOutput {
 
     double time_s() const override { return end_s; }
 
-    /// Plans the move that `next` describes from where the last one ended to `joints`.
+    /// Plans the move that `next` describes from the end of the last one to `joints`.
     Planned go(const rrs::JointPos& joints) {
         next.kind = SegmentKind::linear;
         next.end = joints;
@@ -50,7 +50,7 @@ class LinuxcncRun final : public SegmentOutput {
         joints[setup.position_joints[1]] = y;
         return go(joints);
     }
-    /// Counter-clockwise in XY by `sweep_rad`, or clockwise where it is negative.
+    /// Plans an arc counter-clockwise in XY by `sweep_rad`, or clockwise if it is negative.
     Planned arc(double center_x, double center_y, double sweep_rad) {
         const int x = setup.position_joints[0], y = setup.position_joints[1];
         const int up = setup.position_joints[2];
@@ -68,7 +68,7 @@ class LinuxcncRun final : public SegmentOutput {
         next.end[y] = end.y();
         return add();
     }
-    /// Ends the program; answers its time.
+    /// Ends the program and returns its time.
     double end() {
         model.come_to_rest();
         return end_s;
@@ -142,7 +142,7 @@ inline PlannerSetup router_2_10(double jerk_mm_s3) {
     return setup;
 }
 
-/// Each segment starts where the one before ends.
+/// Expects that each segment starts at the end of the one before.
 inline void expect_chain(const LinuxcncRun& run) {
     rrs::JointPos at = rrs::JointPos::Zero(run.setup.joint_count());
     rrs::TargetId id = 0;

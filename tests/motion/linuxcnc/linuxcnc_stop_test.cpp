@@ -26,7 +26,7 @@ struct Program {
     std::vector<rrs::JointPos> targets;
     double tolerance_mm = 0;
     double speed_mm_s = 100;
-    bool arcs = false;  ///< Half a circle behind each target, 6 mm along X.
+    bool arcs = false;  ///< Half a circle after each target, 6 mm along X.
 
     rrs::JointPos end() const { return arcs ? behind_arc(targets.back()) : targets.back(); }
     static rrs::JointPos behind_arc(const rrs::JointPos& target) {
@@ -71,7 +71,7 @@ std::vector<Segment> planned(const Program& program, const PlannerSetup& setup) 
     return ready.collector.segments;
 }
 
-/// Stops three times at random instants and goes on; what is moved then is on the planned way.
+/// Stops three times at random instants and continues; all motion afterwards is on the planned path.
 void stop_and_go(std::mt19937& random, const Program& program, const PlannerSetup& setup, int& blends) {
     const std::vector<Segment> plan = planned(program, setup);
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));

@@ -1,4 +1,4 @@
-// Moves that end at rest, and the ones that do not: G61.1, G61, single moves in G64, feed against rapid.
+// Moves that end at standstill, and those that do not: G61.1, G61, single moves in G64, feed against rapid.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr double kA = 490.3;
 constexpr double kPeriod = 1e-3;
 
-// The periods of one move are at most two more than its trapezoid takes.
+// Expects at most two periods more for each move than its trapezoid takes.
 void expect_moves(double time_s, double trapezoids_s, int moves) {
     EXPECT_GE(time_s, trapezoids_s - 1e-9);
     EXPECT_LE(time_s, trapezoids_s + 2 * moves * kPeriod);
@@ -96,7 +96,7 @@ TEST(LinuxcncStops, RapidAndFeedDoNotMix) {
     run.end();
     ASSERT_EQ(run.segments.size(), 3u);
     for (const Segment& segment : run.segments) EXPECT_NEAR(segment.lead.end_speed(), 0, 1e-6);
-    // No blend: the acceleration is whole, but for the last move.
+    // The moves have no blend: the acceleration is full, except for the last move.
     expect_moves(run.segments[0].duration_s, trapezoid_s(100, 100, kA), 1);
     expect_moves(run.segments[1].duration_s, trapezoid_s(100, 508, kA), 1);
     expect_moves(run.segments[2].duration_s, trapezoid_s(100, 100, kA / 2), 1);
@@ -119,7 +119,7 @@ TEST(LinuxcncStops, RotaryJointsAloneAndBeside) {
     run.next.rules.orientation_speed_rad_s = 0.5;
     ASSERT_TRUE(run.go(joints));
     run.end();
-    // The norm has 1.25 rad; B, which goes the furthest, limits its acceleration.
+    // The norm has 1.25 rad; B, which moves farthest, limits its acceleration.
     expect_moves(run.segments[0].duration_s, trapezoid_s(1.25, 0.5, 1.25 * kPi / 9), 1);
     EXPECT_EQ(run.segments[0].length_mm, 0);
     joints[0] = 100;

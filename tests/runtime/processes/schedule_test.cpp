@@ -1,4 +1,4 @@
-// Who goes next, and who waits for what.
+// Next process to run, and what each process waits for.
 
 #include "runtime/processes/schedule.h"
 

@@ -1,4 +1,4 @@
-// Who has a zone, who waits for it, and who waits for whom.
+// Holders of zones, those that wait for one, and whom each waits for.
 
 #include "runtime/processes/shared_zones.h"
 

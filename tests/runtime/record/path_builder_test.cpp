@@ -1,4 +1,4 @@
-// Which calls share a path, and which do not.
+// Calls that share a path, and calls that do not.
 #include "runtime/record/path_builder.h"
 
 #include <gtest/gtest.h>

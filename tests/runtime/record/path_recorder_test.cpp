@@ -1,4 +1,4 @@
-// What is recorded of a run, against the moves that the machine made.
+// Recording of a run, compared with the moves that the machine made.
 #include "runtime/record/path_recorder.h"
 
 #include <cmath>
@@ -34,7 +34,7 @@ using testing::ElementsAre;
 machine::Machine sample(const std::string& name) {
     machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
-    machine.controller = {};  // rest to rest: moves end where they are programmed
+    machine.controller = {};  // no blending: moves end at their targets
     return simulation::unlimited(std::move(machine));
 }
 
@@ -140,7 +140,7 @@ Vector3d random_normal(std::mt19937& random) {
     }
 }
 
-// Where the work is turned, arcs of the axes lie anywhere in the work frame.
+// If the work is turned, arcs of the axes have any position in the work frame.
 TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
     std::mt19937 random(11);
     for (const char* name : {"af5", "mill-table-table", "mill-head-table", "gantry-offset-head"}) {
@@ -173,7 +173,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
     }
 }
 
-// Time goes evenly with the axes' way, so that the time of the lines tells where the tip would be.
+// Time is proportional to the axes' path, so that the time of the lines gives the position of the TCP.
 TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
     RunOf run(sample("gantry-offset-head"));
     const AxisVector start = run.simulator.position();
@@ -293,7 +293,7 @@ TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
     EXPECT_EQ(points[3].work_offset, "54");
 }
 
-// A change of offsets is no event; a dwell or a switch brings the machine to rest anyway.
+// A change of offsets is no event; a dwell or a switch stops the machine anyway.
 TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     RunOf run(sample("af5"));
     run.simulator.wait();
@@ -315,7 +315,7 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     EXPECT_THAT(points[3].actions, ElementsAre("message hello", "rest"));
 }
 
-// A control that takes time for each wait takes it again behind a dwell, and where nothing follows.
+// A controller that takes time for each wait takes it again after a dwell, and at the end of the program.
 TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));

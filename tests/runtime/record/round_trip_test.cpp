@@ -1,5 +1,5 @@
-// The way round by the programs: what gsim-run records, path2gcode writes and gsim-run runs again moves the
-// same; what path2gcode has written comes back as it was.
+// Round trip by the programs: the path that gsim-run records, path2gcode writes and gsim-run runs again has
+// the same moves. Output of path2gcode comes back as it was.
 
 #include <cmath>
 #include <random>
@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr double kHalfDigit = 0.00051;  // of the third decimal
 
-/// A way to write programs, and the dialect that reads them.
+/// Post for writing programs, and the dialect that reads them.
 struct Way {
     std::string post;
     std::string dialect;
@@ -139,7 +139,7 @@ class RandomPart {
                                                             "G18 G{} I{:.3f} K{:.3f} X{:.3f}\n",
                                                             "G19 G{} J{:.3f} K{:.3f} Y{:.3f}\n"};
         const char* form = kPlanes[random_() % 3];
-        // Back to the same height: twice the way to the centre.
+        // The height is the same again after twice the distance to the centre.
         return "G91\n" +
                fmt::format(fmt::runtime(form), 2 + random_() % 2, x, random_() % 2 == 0 ? y : -y, 2 * x) +
                "G90 G17\n";
@@ -265,7 +265,7 @@ TEST_F(Record, LinuxCncRunsWhatIsWrittenToTheSamePlaces) {
     }
 }
 
-// Steps shorter than the printed digits, lines and arcs: some vanish, and what is left stays where it was.
+// Steps shorter than the printed digits, lines and arcs: some vanish, and the others stay at their positions.
 TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
     const std::string part =
         write("part.nc",
@@ -342,7 +342,7 @@ TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
     }
 }
 
-// Recorded as many short ways of the tip; written again, each line of the axes is one block.
+// They are recorded as many short paths of the TCP; when written again, each line of the axes is one block.
 TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
     const std::string part =
         write("part.ngc",

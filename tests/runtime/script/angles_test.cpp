@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kAngles = 20'000;
 
-/// Of thousandths of a degree, up to the given size.
+/// Returns angles in thousandths of a degree, up to the given size.
 std::vector<double> angles(double most_deg) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> even(-most_deg, most_deg);

@@ -1,4 +1,4 @@
-// A long script run piece by piece does what it does as a whole.
+// A long script that is run in parts has the same effect as at once.
 
 #include "codegen/translate.h"
 #include "tests/lua_lib/run.h"
@@ -6,7 +6,7 @@
 namespace gsim::script::chunks_test {
 namespace {
 
-// The Lua of a program without O, its body in pieces of so many lines.
+// Returns the Lua of a program without O, its body in parts of `lines` lines.
 Script in_pieces(const std::string& gcode, std::size_t lines) {
     const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
     EXPECT_TRUE(translation.ok) << translation.diagnostics;

@@ -1,4 +1,4 @@
-// Groups of axes beside moves to poses: an arm on a track before a turntable, against what geometry says.
+// Groups of axes with moves to poses: an arm on a track in front of a turntable, compared with geometry.
 
 #include <algorithm>
 #include <cmath>
@@ -50,9 +50,9 @@ class GroupRun {
         const motion::Segment& segment = next == run.segments.end() ? run.segments.back() : *next;
         return segment.at(t_s - segment.start_s);
     }
-    /// The tip on the work.
+    /// Returns the TCP on the work.
     Vector3d tip(const rrs::JointPos& joints) const { return kinematics->forward(joints).translation(); }
-    /// The tip in the world.
+    /// Returns the TCP in the world.
     Vector3d tip_in_world(const rrs::JointPos& joints) const {
         return kinematics->chain().tool_frames(joints).back().translation();
     }
@@ -88,7 +88,7 @@ void expect_limits_held(const GroupRun& r) {
     }
 }
 
-// A quarter of a round seam: the table turns under the tool, which stands. The point under it goes at F.
+// A quarter of a round seam: the table turns under the stationary tool. The point under it moves at F.
 TEST(Groups, ATableTurnsUnderAToolThatStands) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         const GroupRun r(
@@ -112,7 +112,7 @@ TEST(Groups, ATableTurnsUnderAToolThatStands) {
     }
 }
 
-// On the table the tip's way is a line, whatever the table does meanwhile; it turns evenly along it.
+// On the table the TCP's path is a line, whatever the table does meanwhile; it turns evenly along it.
 TEST(Groups, ACoordinatedLineIsStraightOnTheTable) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         const GroupRun r(
@@ -133,7 +133,8 @@ TEST(Groups, ACoordinatedLineIsStraightOnTheTable) {
     }
 }
 
-// In the world the tool goes straight to where the point of the table will be; both arrive together.
+// In the world the tool moves straight to the future position of the point on the table; both arrive
+// together.
 TEST(Groups, ASynchronousLineIsStraightInTheWorld) {
     const GroupRun r("F(3000)\n" + kToTheRim +
                      "group('turntable').synchronous()\n"
@@ -151,7 +152,7 @@ TEST(Groups, ASynchronousLineIsStraightInTheWorld) {
     expect_limits_held(r);
 }
 
-// The track carries the arm away below a tip that stands; the feed is then the track's.
+// The track carries the arm away below a stationary TCP; the feed is then the track's.
 TEST(Groups, ATrackGoesBelowATipThatStands) {
     const GroupRun r("F(600)\n" + kToTheRim + "MoveLinear{x=200, y=0, z=10, yaw=180, track={x=300}}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -164,7 +165,7 @@ TEST(Groups, ATrackGoesBelowATipThatStands) {
     expect_limits_held(r);
 }
 
-// The arm stands on its base, and the track alone carries the tip: in closed form.
+// The arm is stationary on its base, and the track alone carries the TCP: in closed form.
 TEST(Groups, ATrackCarriesAnArmThatStands) {
     const GroupRun r("F(6000)\n" + kToTheRim + "MoveLinear{x=-200, y=0, z=10, yaw=180, track={x=-400}}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -190,7 +191,7 @@ TEST(Groups, ASynchronousTrackLeavesTheArmItsOwnLine) {
     });
 }
 
-// A ring in four quarters under a torch that stands, and a seam along the rail with an arm that stands.
+// A ring in four quarters under a stationary torch, and a seam along the rail with a stationary arm.
 TEST(Groups, TheSampleTakesWhatGeometrySays) {
     std::ifstream file(tests::source_path("samples/cell/seam.lua"));
     const GroupRun r(std::string(std::istreambuf_iterator<char>(file), {}));
@@ -243,7 +244,7 @@ TEST(Groups, TheInverseHoldsThem) {
     }
 }
 
-// Where a table is that goes by itself since then, at 120 deg/s and 200 deg/s2.
+// Returns the position of an independently moving table after a time, at 120 deg/s and 200 deg/s2.
 double table_deg_after(double t_s, double way_deg) {
     const double ramp_s = 120.0 / 200, whole_s = way_deg / 120 + ramp_s;
     if (t_s >= whole_s) return way_deg;
@@ -253,10 +254,10 @@ double table_deg_after(double t_s, double way_deg) {
 
 const std::string kByItself = "local t = group 'turntable' t.independent()\n";
 
-// The tool goes its way as without it; neither waits for the other one.
+// The tool moves along the same path as without the table; neither waits for the other one.
 TEST(Groups, AnIndependentTableTurnsBesideTheToolsMoves) {
     for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
-        // As the table stands at its end: at the rim again, and up from there.
+        // The table is at its end: the tool is at the rim again, and moves up from there.
         const std::string moves =
             "F(600)\nMoveLinear{x=0, y=-199, z=11, roll=-90, yaw=180}\n"
             "MoveLinear{x=0, y=-150, z=60, roll=-90, yaw=180}\n";
@@ -352,7 +353,7 @@ TEST(Groups, WhatCannotBeIsSaid) {
     expect_alarm(run_lua("group 'table'"), "tables [[group]] of the machine file make them");
 }
 
-// Where a closed inverse finds all axes, words lead those of groups, and G43.4 coordinates them.
+// If a closed inverse finds all axes, words move those of groups, and G43.4 coordinates them.
 TEST(Groups, AMillsTableIsLedByWords) {
     Conditions conditions;
     conditions.machine =

@@ -31,7 +31,8 @@ void expect_pose(const rrs::CartPos& got, std::array<double, 6> wanted) {
                                                                           << pose.matrix();
 }
 
-// The roll, pitch and yaw of poses that the two rotary axes reach exactly are read off its own kinematics.
+// Returns the roll, pitch and yaw of poses that the two rotary axes reach exactly, from the machine's own
+// kinematics.
 std::array<double, 6> reachable(double x, double y, double z, double b_deg, double c_deg) {
     rrs::JointPos joints(5);
     joints << x, y, z, b_deg * kRadPerDeg, c_deg * kRadPerDeg;
@@ -77,7 +78,8 @@ TEST(Neutral, JointMovesMoveAllJointsTogether) {
         std::max(trapezoid_s(600, 508, kAcceleration_mm_s2), trapezoid_s(40, 90, kTurn_deg_s2));
     EXPECT_NEAR(r.seconds(0), slowest, 1e-6);
     const motion::Segment& move = r.segments.back();
-    // All set out and arrive together, by laws that are symmetric in time: half way at half time.
+    // All joints start and arrive together, by laws that are symmetric in time: half of the path at half
+    // time.
     const rrs::JointPos middle = move.position_at(move.duration_s / 2);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(middle[i], (move.start[i] + move.end[i]) / 2, 1e-9);
 }

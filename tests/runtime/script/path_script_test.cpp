@@ -136,7 +136,7 @@ TEST(PathScript, ErrorsNameTheLine) {
     }
 }
 
-// What a script is given before it begins takes memory, too.
+// The data that a script receives before it begins takes memory, too.
 TEST(PathScript, HoweverLittleMemoryThereIsIsAnErrorAndNoEnd) {
     const std::string script = "return path{name = 'a', point{position_mm = {1, 2, 3}}}";
     int refused = 0, made = 0;

@@ -1,4 +1,4 @@
-// Which line a message is of, and runs that do not know of each other.
+// Line of a message, and runs that are independent of each other.
 
 #include "codegen/lua/lua_spool.h"
 #include "codegen/translate.h"

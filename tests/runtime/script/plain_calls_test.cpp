@@ -26,7 +26,7 @@ std::string told(lua_State* lua, int index) {
     return fmt::format("float {:a}", lua_tonumber(lua, index));
 }
 
-// What is told of the call of any word.
+// Records the call of any word.
 int note(lua_State* lua) {
     auto& notes = *static_cast<std::string*>(lua_touserdata(lua, lua_upvalueindex(1)));
     notes += lua_tostring(lua, lua_upvalueindex(2));
@@ -50,7 +50,7 @@ int find_word(lua_State* lua) {
     return 1;
 }
 
-// The calls of a line as Lua makes them; "error" where it does not compile.
+// Returns the calls of a line as Lua makes them, or "error" if it does not compile.
 std::string by_lua(const std::string& line) {
     const std::unique_ptr<lua_State, Closer> lua(luaL_newstate());
     std::string notes;
@@ -65,7 +65,7 @@ std::string by_lua(const std::string& line) {
     return ran ? notes : "error";
 }
 
-// The same as they are read; "no" where the line is not plain.
+// Returns the same as they are read, or "no" if the line is not plain.
 std::string as_read(const std::string& line) {
     PlainLine reader;
     if (!reader.read(line)) return "no";

@@ -14,7 +14,7 @@ std::vector<double> times(const Outcome& r, const std::string& signal) {
     return list;
 }
 
-/// From rest to rest over `length` at F6000.
+/// Returns the time between standstills over `length` at F6000.
 double move_s(double length) {
     return trapezoid_s(length, 100, kAcceleration_mm_s2);
 }
@@ -87,7 +87,7 @@ TEST(Processes, AnInterruptComesAtTheNextLineBehindTheSignal) {
         "G1{x=300}\n"
         "on_signal('open', nil)\n");
     ASSERT_TRUE(r.completed()) << r.message();
-    const double two_s = 2 * move_s(100);  // 2.4 s: the second move is under way when the door opens
+    const double two_s = 2 * move_s(100);  // 2.4 s: the second move is active when the door opens
     EXPECT_NEAR(times(r, "seen").at(0), two_s, 1e-9);
     EXPECT_NEAR(r.report.cycle_time_s, 3.5 + move_s(100), 1e-9);
 }

@@ -1,5 +1,5 @@
-// What a script does hangs on the script alone: the orders, texts and sorts that Lua leaves to its hashes and
-// addresses.
+// The effect of a script depends on the script alone: the orders, texts and sorts that Lua leaves to its
+// hashes and addresses.
 
 #include "tests/lua_lib/run.h"
 

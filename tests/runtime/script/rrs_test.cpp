@@ -9,7 +9,7 @@
 namespace gsim::script::rrs_test {
 namespace {
 
-// Runs a script whose asserts must hold.
+// Runs a script with asserts that must hold.
 Outcome expect_true(const std::string& script) {
     Outcome r = run_lua(script);
     EXPECT_TRUE(r.completed()) << r.line() << ": " << r.message() << "\n" << script;
@@ -126,7 +126,8 @@ assert(rrs.SetNextTarget({100, 0, 0, 0, 0}) == 0)  -- by the joint angles
 }
 
 TEST(Services, AndWordsTakeTurns) {
-    // What a script selects does not change what a word means, and a word goes on from where a target led.
+    // The selections of a script do not change what a word means, and a word continues from the end of a
+    // target.
     const Outcome r = expect_true(R"(F(6000) G1{x=100.0}
 rrs.SetCartesianPositionSpeed(10)
 rrs.SelectMotionType("joint")
@@ -137,7 +138,7 @@ G91() G1{x=100.0}
     EXPECT_NEAR(r.seconds(2), trapezoid_s(100, 100, kAcceleration_mm_s2), 1e-9);
 }
 
-/// What the second of two targets takes, behind a word or without it.
+/// Returns the time of the second of two targets, after a word or without it.
 double second_target_s(const std::string& word,
                        const std::string& speed = "rrs.SetCartesianPositionSpeed(100)") {
     const Outcome r = run_lua("rrs.SelectTargetType(\"joint\") rrs.SelectMotionType(\"linear\") " + speed +
@@ -158,7 +159,7 @@ TEST(Services, HaveModesOfTheirOwnBehindEachWordThatMoves) {
         const double from = word[0] == '\0' ? 300 : 200;
         EXPECT_NEAR(second_target_s(word), trapezoid_s(from, 100, kAcceleration_mm_s2), 1e-9) << word;
     }
-    // Rapid is a mode of the services, where they have selected it.
+    // Rapid is a mode of the services, if they have selected it.
     EXPECT_NEAR(second_target_s("F(500) G1{y=100}", "rrs.SetRapid(true)"),
                 trapezoid_s(200, 508, kAcceleration_mm_s2), 1e-9);
 }

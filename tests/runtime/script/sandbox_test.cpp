@@ -121,7 +121,7 @@ TEST(Sandbox, EndlessLoopsEnd) {
 TEST(Sandbox, TheStepsBeginAnewWithEachMotion) {
     Conditions conditions = tight();
     const Outcome r = run_lua("for i = 1, 20 do for j = 1, 100000 do local x = j end G0{x=i} end",
-                              conditions);  // 4 steps a pass at least
+                              conditions);  // at least 4 steps a pass
     expect_end(r, 20, 0, 0);
 }
 
@@ -191,7 +191,7 @@ TEST(Sandbox, WorkInsideOneCallCounts) {
 TEST(Sandbox, InstructionsOnLargeValuesCountByTheirSize) {
     Conditions conditions = tight();
     conditions.options.limits = {.memory_bytes = std::size_t{256} << 20U, .steps = 500'000};
-    // Each comparison looks at 16 MB, and each call copies 100,000 values.
+    // Each comparison checks 16 MB, and each call copies 100,000 values.
     expect_stopped(run_lua("local a, b = (\"x\"):rep(1 << 24), (\"x\"):rep(1 << 24)\n"
                            "for i = 1, 40000 do local same = a == b end",
                            conditions),
@@ -240,7 +240,7 @@ TEST(Sandbox, DeepRecursionIsAnError) {
 }
 
 TEST(Sandbox, ScriptsCannotHarmTheLibrary) {
-    // The functions of Lua are the script's to change; the library keeps its own.
+    // The functions of Lua are the script's to change; the library keeps its own copies.
     expect_end(
         run_lua("math.cos = nil math.floor = nil string.format = nil table.sort = nil G16() G0{x=10, y=90}"),
         0, 10, 0);

@@ -1,4 +1,4 @@
-// Blocks of a pool: each is whole, aligned, and nobody else's.
+// Blocks of a pool: each is complete, aligned, and exclusive to its user.
 
 #include "runtime/script/lua/small_blocks.h"
 

@@ -1,4 +1,4 @@
-// G43.4 as programs see it, and moves to poses where slides alone do not carry the tip.
+// G43.4 in programs, and moves to poses on machines with a TCP that slides alone do not carry.
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ Conditions on(const std::string& machine) {
     return with_tools(conditions);
 }
 
-/// The tip of a tool of that length, in the work.
+/// Returns the TCP of a tool of that length, in the work.
 Vector3d tip_after(const Outcome& r, std::size_t n, const Vector3d& tip_mm = Vector3d::Zero()) {
     return machine::make_kinematics(r.machine)->forward(r.moves.at(n).end) * tip_mm;
 }

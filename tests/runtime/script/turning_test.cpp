@@ -1,5 +1,4 @@
-// What rotary axes make of the angles that a program gives them, and further home positions of the machine
-// file.
+// Effect of a program's angles on rotary axes, and further home positions of the machine file.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,7 @@ Conditions with_turning(machine::Turning turning, double range_deg = 1e9) {
     return conditions;
 }
 
-// B at the end of each move, counted on through whole turns.
+// Returns B at the end of each move, counted on through full turns.
 std::vector<double> ends_of_b(const Outcome& outcome) {
     std::vector<double> ends;
     for (std::size_t i = 0; i < outcome.moves.size(); ++i) ends.push_back(outcome.to(i, 'B'));

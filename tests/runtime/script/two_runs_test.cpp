@@ -1,5 +1,4 @@
-// Two runs in one process, each with an engine, a simulator and a cell of its own: neither knows of the
-// other.
+// Two runs in one process, each with an engine, a simulator and a cell of its own: the runs are independent.
 
 #include <condition_variable>
 #include <mutex>
@@ -17,7 +16,7 @@
 namespace gsim::script::two_runs_test {
 namespace {
 
-/// What one run is made of.
+/// Components of one run.
 struct Part {
     double post_x_mm;
     std::string dialect;

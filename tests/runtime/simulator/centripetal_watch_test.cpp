@@ -1,4 +1,4 @@
-// Arcs that ask for more than the axes of their plane have, and only those.
+// Arcs that need more than the axes of their plane have, and only those.
 #include "runtime/monitors/centripetal_watch.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 constexpr double kRadius_mm = 10;
 constexpr double kAsked_mm_s2 = kSpeed_mm_s * kSpeed_mm_s / kRadius_mm;  // 250
 
-/// What is said of a full circle in XY at kSpeed_mm_s, where the linear axes have these accelerations.
+/// Returns the warning about a full circle in XY at kSpeed_mm_s, if the linear axes have these accelerations.
 std::optional<std::string> said_of_circle(double x, double y, double z,
                                           std::optional<double> y_deceleration = {}) {
     machine::Machine machine = af5();

@@ -1,4 +1,4 @@
-// What reports tell of motors, against closed forms.
+// Report values of motors, against closed forms.
 #include "runtime/monitors/effort_watch.h"
 
 #include <string>
@@ -149,7 +149,7 @@ TEST(EffortWatch, CurveOfAMotor) {
     EXPECT_EQ(motor_peak({}, 1e9), std::numeric_limits<double>::infinity());
 }
 
-// Nothing limits the acceleration: the speed jumps from 0 to 0.5 m/s and back.
+// The acceleration has no limit: the speed jumps from 0 to 0.5 m/s and back.
 TEST(EffortWatch, JumpsOfSpeedAreImpulsesAndWork) {
     machine::Machine machine = machine_of();
     machine.axes[0].max_acceleration = std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ TEST(EffortWatch, EnergyOfEachProgram) {
     EXPECT_NEAR(programs[0].time_s, 2.5, 1e-9);
     EXPECT_EQ(programs[1].program, "O2");
     EXPECT_NEAR(programs[1].in_j - programs[1].back_j, 0, 1e-7);
-    EXPECT_NEAR(programs[1].in_j, 20 * 9.80665 * 0.1, 1e-7);  // up, and back as it goes down
+    EXPECT_NEAR(programs[1].in_j, 20 * 9.80665 * 0.1, 1e-7);  // up, and back as it moves down
 }
 
 TEST(EffortWatch, TrajectoryHasForcesAndPower) {

@@ -1,5 +1,5 @@
-// Random programs under each controller: the work of the motors is what friction takes and what the machine
-// has gained, both worked out by other means.
+// Random programs under each controller: the work of the motors is the loss by friction plus the energy that
+// the machine has gained, both computed by other means.
 #include <array>
 #include <cmath>
 #include <string>
@@ -20,7 +20,8 @@ constexpr int kPrograms = 100 / kFewerBy;
 constexpr int kMoves = 12;
 constexpr double kRelative = 1e-6;
 
-/// The gantry with masses, so that gravity is along no axis, and with a tool beside its turning head.
+/// Returns the gantry with masses, so that gravity is along no axis, and with a tool off the axis of its
+/// turning head.
 machine::Machine heavy(std::mt19937& random, std::size_t program) {
     constexpr std::array kModels{"exact-stop", "ab9", "blend", "linuxcnc-2.9", "grbl-1.1"};
     machine::Machine machine = random_machine(random, af5());
@@ -41,7 +42,7 @@ machine::Machine heavy(std::mt19937& random, std::size_t program) {
     return machine;
 }
 
-/// Of friction: what it takes, from fine samples of the way; and where the machine begins and ends.
+/// Friction work, from fine samples of the path; and the positions at the machine's start and end.
 struct Friction : RunOutput {
     explicit Friction(const machine::Machine& of) : machine(of) {}
 
@@ -76,7 +77,7 @@ struct Friction : RunOutput {
     double work_j = 0;
 };
 
-/// Of weights, counterweights and the hose, from the frames of the links.
+/// Returns the potential energy of weights, counterweights and hose, from the frames of the links.
 double potential_j(const machine::Machine& machine, const rrs::JointPos& q) {
     const auto kinematics = make_kinematics(machine);
     const std::vector<rrs::CartPos> frames = kinematics->chain().tool_frames(q);

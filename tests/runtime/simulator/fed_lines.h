@@ -8,10 +8,10 @@
 
 namespace gsim::simulation {
 
-/// Of the lines below.
+/// Feed of the lines below.
 inline constexpr double kFed_mm_s = 100;
 
-/// A line of X and Y from where the machine stands, at that speed.
+/// Runs a line of X and Y from the machine's position, at that speed.
 inline void feed(Simulator& simulator, double x, double y, std::uint32_t line,
                  MoveKind kind = MoveKind::linear) {
     LineMove move{.kind = kind,

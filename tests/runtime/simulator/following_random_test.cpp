@@ -1,4 +1,4 @@
-// Where axes and tip really are in random programs, against finer steps.
+// True positions of axes and TCP in random programs, against finer steps.
 #include <array>
 #include <cmath>
 #include <random>
@@ -30,7 +30,7 @@ machine::Machine random_servos(std::mt19937& random, std::size_t program) {
     return machine;
 }
 
-/// Steps in half the time change nothing that matters: of no axis, nor of the tip.
+/// Steps of half the time change no relevant value, neither of an axis nor of the TCP.
 TEST(FollowingWatch, HalfTheStepChangesNothing) {
     constexpr std::size_t kPrograms = 10;
     double greatest = 0;
@@ -44,7 +44,7 @@ TEST(FollowingWatch, HalfTheStepChangesNothing) {
         const Report report = simulator.finish("random");
         const FollowingReport& whole = report.following.value();
         for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
-            // Where it is as much to both sides the step may decide which of them counts.
+            // If both sides have equal peaks, the step may decide which of them counts.
             EXPECT_NEAR(std::abs(whole.axes[axis].peak), std::abs(half.report().axes[axis].peak), 1e-6)
                 << program;
             EXPECT_NEAR(whole.axes[axis].rms, half.report().axes[axis].rms, 1e-6) << program;
@@ -57,7 +57,8 @@ TEST(FollowingWatch, HalfTheStepChangesNothing) {
     EXPECT_GT(greatest, 0.1);
 }
 
-// From the program the tip is no farther than from the way of the set points, and this way from the program.
+// The TCP is no farther from the program than the sum of two distances: from the path of the set points, and
+// of this path from the program.
 TEST(FollowingWatch, FromTheProgramItIsNoFartherThanBothTogether) {
     constexpr std::array kModels{"blend", "linuxcnc-2.9"};
     double rounded = 0;
@@ -78,10 +79,10 @@ TEST(FollowingWatch, FromTheProgramItIsNoFartherThanBothTogether) {
     EXPECT_GT(rounded, 0.1);
 }
 
-/// A loop of one joint as it is told, by Runge's and Kutta's rule in fine steps along the run.
+/// Loop of one joint as defined, by the rule of Runge and Kutta in fine steps along the run.
 struct Witness : RunOutput {
     static constexpr double kStep_s = 1e-4;
-    using State = std::array<double, 2>;  // place, speed
+    using State = std::array<double, 2>;  // position, speed
 
     Witness(const machine::Servo& of, int of_joint) : servo(of), joint(of_joint) {}
 
@@ -104,7 +105,7 @@ struct Witness : RunOutput {
     }
     void go(double h, const motion::JointState& from, const motion::JointState& middle,
             const motion::JointState& to) {
-        at[1] += servo.acceleration_feed_forward * (from.velocity[joint] - set_speed);  // where it jumps
+        at[1] += servo.acceleration_feed_forward * (from.velocity[joint] - set_speed);  // at its jumps
         set_speed = to.velocity[joint];
         const auto moved = [this](const State& by, double share) {
             return State{at[0] + share * by[0], at[1] + share * by[1]};

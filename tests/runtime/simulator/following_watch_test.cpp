@@ -1,4 +1,4 @@
-// Where axes and tip really are, against closed forms.
+// True positions of axes and TCP, against closed forms.
 #include "runtime/monitors/following_watch.h"
 
 #include <array>
@@ -27,7 +27,7 @@ using testing::Not;
 
 constexpr double kGain_1_s = 30;
 
-// Nothing limits accelerations: speeds are constant on each line, and jump.
+// Returns a machine without limits on accelerations: speeds are constant on each line, and jump.
 machine::Machine slides(double gain_x_1_s = kGain_1_s, double gain_y_1_s = kGain_1_s) {
     machine::Machine machine = machine::read_machine(R"([machine]
 name = "m"
@@ -74,7 +74,7 @@ TEST(FollowingWatch, LineAtConstantSpeed) {
     const double squares = steady_mm * steady_mm * (2 - 2 / kGain_1_s + 1 / (2 * kGain_1_s));
     EXPECT_NEAR(x.rms, std::sqrt(squares / 2), 1e-9);
     EXPECT_EQ(report.axes[1].peak, 0);
-    EXPECT_NEAR(report.feed.error_mm, 0, 1e-9);  // it is late, and nowhere beside the line
+    EXPECT_NEAR(report.feed.error_mm, 0, 1e-9);  // it is late, and nowhere off the line
     // It dies away from there to the band of 0.01 mm.
     EXPECT_NEAR(report.in_position_s.value(), std::log(steady_mm / 0.01) / kGain_1_s, 1e-6);
 }
@@ -97,7 +97,7 @@ TEST(FollowingWatch, FullFeedForwardFollows) {
     EXPECT_EQ(report.in_position_s, 0);
 }
 
-// x is late by v/Kx, y by v/Ky: the tip goes beside the line by half of their difference.
+// x is late by v/Kx, y by v/Ky: the TCP runs off the line by half of their difference.
 TEST(FollowingWatch, UnequalGainsOnALineOf45Degrees) {
     Simulator simulator(slides(40, 25), {});
     feed(simulator, 300, 300, 3);
@@ -123,8 +123,8 @@ TEST(FollowingWatch, DelayOfOneAxisIsAContourErrorOfAllIsNone) {
     }
 }
 
-// Behind a corner of 90 degrees x = -v/K exp(-K t) and y = v t - v/K (1 - exp(-K t)). The tip is as far from
-// both lines at t = 1/K, and nowhere farther from the nearer one: by v / (K e).
+// After a corner of 90 degrees x = -v/K exp(-K t) and y = v t - v/K (1 - exp(-K t)). The TCP is equally far
+// from both lines at t = 1/K, and nowhere farther from the nearer one: by v / (K e).
 TEST(FollowingWatch, CornerIsRoundedByTheLag) {
     Simulator simulator(slides(), {});
     feed(simulator, 200, 0, 1);
@@ -137,8 +137,8 @@ TEST(FollowingWatch, CornerIsRoundedByTheLag) {
     EXPECT_EQ(report.program->error_mm, report.feed.error_mm);  // it drives what is programmed
 }
 
-// A parabola in a corner of 90 degrees passes it at D, and is D / sqrt(2) from either line there. Who follows
-// it exactly is on the way of the set points, and as far from that of the program.
+// A parabola in a corner of 90 degrees passes it at D, and is D / sqrt(2) from either line there. A machine
+// that follows it exactly is on the path of the set points, and as far from that of the program.
 TEST(FollowingWatch, CornerThatTheControllerRoundsIsPartOfTheWayFromTheProgramAlone) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
@@ -192,7 +192,7 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
     return rows;
 }
 
-// A circle comes out smaller by sqrt(1 + (w/K)^2). On the way in the tip is nowhere farther off.
+// A circle comes out smaller by sqrt(1 + (w/K)^2). On the path into it the TCP is nowhere farther off.
 TEST(FollowingWatch, CircleShrinks) {
     constexpr double kRadius_mm = 25;
     Simulator simulator(slides(), {});
@@ -224,7 +224,7 @@ TEST(FollowingWatch, CircleShrinks) {
     EXPECT_GE(report.feed.error_mm, shrunk_mm - 1e-9);
 }
 
-// A move of thousands of turns takes no longer than its steps, and a very slow one as few as any.
+// A move of thousands of turns takes no longer than its steps, and a very slow one needs as few as any.
 TEST(FollowingWatch, EndlessTurnsAndVerySlowMovesEnd) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
@@ -242,7 +242,7 @@ TEST(FollowingWatch, EndlessTurnsAndVerySlowMovesEnd) {
     EXPECT_NEAR(report.axes[0].end, 0, 1e-9);
 }
 
-// The gain of the controller is that of axes which tell none.
+// The gain of the controller is that of axes without one of their own.
 TEST(FollowingWatch, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
     machine::Machine machine = slides();
     machine.axes[0].servo = machine::Servo{};

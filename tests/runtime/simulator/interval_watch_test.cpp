@@ -1,4 +1,4 @@
-// How sure a cycle time is, against closed forms.
+// Uncertainty of a cycle time, against closed forms.
 #include "runtime/monitors/interval_watch.h"
 
 #include <cmath>

@@ -22,14 +22,14 @@ constexpr std::array<std::size_t, 5> kWindows{10, 20, 50, 100, 200};  // 1 to 20
 constexpr unsigned kPrograms = 4;
 constexpr int kMoves = 40;
 
-/// What a control may exceed a joint's limits by.
+/// Amounts by which a controller may exceed a joint's limits.
 struct Excess {
     const char* model;
     double speed;         ///< Times the joint's limit.
     double step_s;        ///< Jumps of the speed, as what the acceleration makes in this time,
     double deviation_mm;  ///< or as junction deviation allows them.
     double acceleration;  ///< Times the joint's limit, over a window.
-    bool on_arcs;         ///< Whether that holds round arcs, too.
+    bool on_arcs;         ///< True if that holds round arcs, too.
 };
 
 /// Joint velocities each kPeriod_s, and whether the joints are on an arc; the times and their sums.
@@ -83,7 +83,7 @@ class KeptLimits : public testing::TestWithParam<Excess> {
     static void expect_acceleration(const Samples& samples, int joint, double limit, std::size_t window) {
         const Excess& excess = GetParam();
         double most = 0;
-        std::size_t last_arc = 0;  // the newest place on an arc, counted from 1
+        std::size_t last_arc = 0;  // the newest position on an arc, counted from 1
         for (std::size_t i = 0; i < samples.velocities.size(); ++i) {
             if (samples.on_arc[i]) last_arc = i + 1;
             if (i < window || (!excess.on_arcs && last_arc + window > i)) continue;
@@ -98,7 +98,8 @@ class KeptLimits : public testing::TestWithParam<Excess> {
     }
 };
 
-/// The times of the moves and the dwells are the cycle time, but for what a control takes at its stops.
+/// Expects that the times of the moves and the dwells add up to the cycle time, except for the controller's
+/// time at its stops.
 void expect_sums(const Samples& samples, const Report& report, double rest_s) {
     const double rounding_s = 1e-6 + 1e-9 * report.cycle_time_s;
     EXPECT_NEAR(report.rapid_s + report.feed_s + report.dwell_s, report.cycle_time_s, rounding_s);

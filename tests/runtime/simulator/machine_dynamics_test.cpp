@@ -45,15 +45,15 @@ TEST(MachineDynamics, SampleGantryIsItsFigures) {
     ASSERT_TRUE(machine) << machine.error();
     const auto dynamics = make_dynamics(*machine).value();
     const double bridge = 0.16 * 1.6 * 0.22 * 2100;
-    // Where the hose hangs slack, 300 mm above the tip: 1900 mm up.
+    // The hose hangs slack at 300 mm above the TCP: 1900 mm up.
     const rrs::JointPos efforts = dynamics->efforts(motion({0, 0, 0}, {500, -400, 100}, {3000, -2000, 1500}));
     EXPECT_NEAR(efforts[0], (bridge + 32 + 14 + 11 + 55) * 3 + 70 + 0.2 * 500 + 0.01 * 500, 1e-9);
     EXPECT_NEAR(efforts[1], -(32 + 14 + 11 + 18) * 2 - 35 - 0.1 * 400 - 0.01 * 400, 1e-9);
     EXPECT_NEAR(efforts[2], (14 + 11 + 9) * 1.5 + (14 + 11) * kG + 25 + 0.1 * 100 + 0.01 * 100 - 220, 1e-9);
 }
 
-// A table that slides under the tool and turns: values tell how the tool moves against the work, so the table
-// goes the other way, and is as heavy.
+// A table that slides under the tool and turns: values give the tool's motion against the work, so the table
+// moves in the opposite direction, with the same mass.
 TEST(MachineDynamics, TableUnderTheTool) {
     const auto dynamics = dynamics_of(R"([machine]
 name = "m"

@@ -31,8 +31,7 @@ CartPos file_base(const Posed& robot) {
     return chain(robot).tool_side().base;
 }
 
-/// The tool centre point of the file in the world, from the joints alone, with the machine where the file has
-/// it.
+/// Returns the TCP of the file in the world, from the joints alone, with the machine at the file's position.
 CartPos tool_in_world(const Posed& robot, const JointPos& joints) {
     return chain(robot).tool_frames(joints).back();
 }
@@ -75,8 +74,8 @@ TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
     EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, wanted), 1e-6));
 }
 
-// A work frame that no axes carry stays in the world: the tool in the world, as the displaced chain has it,
-// is at the target. One that axes carry goes with the machine, whose joints do not know.
+// A work frame that no axes carry stays in the world: the tool in the world, by the displaced chain, is at
+// the target. A work frame that axes carry moves with the machine, and its joints do not change.
 TEST_P(MachineFrames, AMovedBaseReachesTargetsFromWhereItStands) {
     Posed robot(GetParam());
     robot.start();
@@ -114,7 +113,7 @@ TEST(MachineFrames, BaseToolAndFixtureAreOneChain) {
     EXPECT_TRUE(told.isApprox(target, 1e-9));
 }
 
-// What is attached to the base goes along: seen from the machine nothing has changed.
+// Frames attached to the base move along: seen from the machine they are unchanged.
 TEST(MachineFrames, TargetsInTheFrameOfTheBaseGoAlong) {
     Posed robot("arm6");
     robot.start();
@@ -190,8 +189,8 @@ TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
     EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_SUCCESS);
 }
 
-// A conveyor goes its way in the world, wherever the machine stands: turned by 90 degrees about the vertical,
-// the machine follows a belt along the world's X with its other slide.
+// A conveyor runs on its path in the world, wherever the machine is. If the machine is turned by 90 degrees
+// about the vertical, it follows a belt along the world's X with its other slide.
 TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
     Posed robot("af5");
     robot.start();
@@ -210,7 +209,7 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
     EXPECT_NEAR(gone.y(), 0, 1e-9);
 }
 
-// Under tool-centre-point control it is the changed tip that stays where it is while the head turns.
+// Under TCP control the changed TCP stays at its position while the head turns.
 TEST(MachineFrames, TipControlIsOfTheChangedTip) {
     const machine::Machine machine = sample("af5");
     Simulator simulator(machine, {});

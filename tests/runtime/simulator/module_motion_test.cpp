@@ -92,7 +92,8 @@ TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
     EXPECT_EQ(report.slowest[0].limited_by, "unknown");
 }
 
-// More targets than the module's queue holds; the module does not tell of which target a step is.
+// The targets are more than the module's queue holds; the module does not report to which target a step
+// belongs.
 TEST_P(SmallModule, EachMoveGetsItsOwnSteps) {
     constexpr int kMoves = 50;
     for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.move(line_to(10.0 * i, 0)));
@@ -153,7 +154,7 @@ TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
     EXPECT_EQ(alarm_of(test_module("small_module")), "");
 }
 
-// What was moved before is in the report, and the alarm is at the block that was read last.
+// Motion before the crash is in the report, and the alarm is at the block that was read last.
 TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
     Simulator simulator(fast_machine(), {}, test_module(Place::own_process, "crashes"));
     MoveList list;
@@ -185,7 +186,7 @@ TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
     EXPECT_THAT(simulator.finish("p").alarm->message, HasSubstr("of processor time is reached"));
 }
 
-// Its targets lie within the ranges; half-way X is 10 m farther.
+// Its targets lie within the ranges; halfway X is 10 m farther.
 TEST_P(Modules, AStepPastARangeIsAViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
@@ -216,7 +217,7 @@ TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
     EXPECT_EQ(report.alarm->axis, 'X');
 }
 
-// This module has no ranges and goes anywhere.
+// This module has no ranges and moves anywhere.
 TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     const double beyond_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));

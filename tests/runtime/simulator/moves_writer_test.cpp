@@ -97,7 +97,7 @@ TEST(ArcNormal, IsToldWithItsGreatestPartAboveZero) {
     set_axis(info, Eigen::Vector3d(-4, 3, 0));
     EXPECT_EQ(info.kind, MoveKind::arc_cw);
     EXPECT_LT((info.normal - Eigen::Vector3d(0.8, -0.6, 0)).norm(), 1e-12);
-    // Of equal parts the last one counts, whatever rounding makes of them.
+    // If parts are equal, the last one counts, whatever rounding makes of them.
     const Eigen::Vector3d even = Eigen::Vector3d(-1 - 1e-12, 1, 0).normalized();
     EXPECT_GT(told_normal(even)[1], 0);
     EXPECT_GT(told_normal(-even)[1], 0);

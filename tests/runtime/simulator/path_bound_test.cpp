@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kAcceleration = 490.33;  // of the built-in machine, mm/s2
 constexpr double kMaxFeed = 254;
 
-/// Rest to rest in the least time.
+/// Returns the min time between standstills.
 double trapezoid_s(double length, double speed, double acceleration) {
     if (speed * speed > length * acceleration) return 2 * std::sqrt(length / acceleration);
     return length / speed + speed / acceleration;
@@ -28,7 +28,7 @@ struct Times {
     double cycle_s;
 };
 
-/// What a machine makes of a program.
+/// Returns the times of a program on a machine.
 template <typename Program>
 Times run(const machine::Machine& machine, const Program& program) {
     Simulator simulator(machine, {});
@@ -139,7 +139,7 @@ TEST(PathBound, AProgrammedTimeIsNoLimit) {
     EXPECT_NEAR(times.bound_s, trapezoid_s(100, kMaxFeed, kAcceleration), 1e-9);
 }
 
-// 10 mm and 90 deg: the rotary axis, which goes by its own law, takes 4.24 s.
+// 10 mm and 90 deg: the rotary axis, which moves by its own law, takes 4.24 s.
 TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
     machine::Machine machine = af5();
     machine.controller.own_ramps = true;
@@ -167,7 +167,7 @@ TEST(PathBound, AnArcWithinTheLimitsCountsByItsShape) {
     EXPECT_GT(kept.bound_s, least_s);
     EXPECT_LT(kept.bound_s, kept.cycle_s);
     EXPECT_GT(kept.bound_s, 0.8 * kept.cycle_s);
-    const Times passed = run(wide_af5(), program);  // whose planner does not slow down for curves
+    const Times passed = run(wide_af5(), program);  // its planner does not slow down for curves
     EXPECT_LT(passed.cycle_s, least_s);
     EXPECT_LE(passed.bound_s, passed.cycle_s);
     EXPECT_GE(passed.bound_s, 2 * kPi * kRadius_mm / kMaxFeed);

@@ -32,7 +32,7 @@ TEST(PathThinner, KeepsCornersAndNoMore) {
     PathThinner thinner;
     for (int i = 0; i <= 100; ++i) thinner.add({0.1 * i, 0}, PathStyle::feed);
     for (int i = 1; i <= 100; ++i) thinner.add({10, 0.1 * i}, PathStyle::feed);
-    for (int i = 99; i >= 50; --i) thinner.add({10, 0.1 * i}, PathStyle::feed);  // back the same way
+    for (int i = 99; i >= 50; --i) thinner.add({10, 0.1 * i}, PathStyle::feed);  // back along the same path
     const auto points = thinner.points();
     ASSERT_EQ(points.size(), 4u);
     EXPECT_EQ(points[1].at_mm, Vector2d(10, 0));
@@ -52,7 +52,7 @@ TEST(PathThinner, StyleChangesWhereItChanges) {
     EXPECT_EQ(points[2].style, PathStyle::jet);
 }
 
-// X 100 mm in 2.5 s, Y by a law of its own in 1.5 s: the picture has the way that is driven.
+// X moves 100 mm in 2.5 s, Y by a law of its own in 1.5 s: the picture shows the driven path.
 TEST(PlotData, JointsThatGoApartAreDrawnAsTheyGo) {
     motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
     segment.end = joints(100, 50);

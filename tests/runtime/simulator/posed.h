@@ -54,7 +54,7 @@ class Posed {
         planner.SelectTargetType(rrs::TargetType::cartesian);
         planner.SelectMotionType(rrs::MotionType::linear);
     }
-    /// At rest: slides in the middle, other joints a little off home.
+    /// Sets a standstill: slides in the middle, other joints a little off home.
     void start() {
         rrs::JointPos joints(setup.joint_count());
         for (int i = 0; i < setup.joint_count(); ++i) {

@@ -10,7 +10,7 @@
 /// Random machines, and random programs of all kinds of moves.
 namespace gsim::simulation {
 
-/// Fewer are tried under sanitizers, where each takes ten times as long.
+/// Divisor of the tests under sanitizers, because each takes ten times as long.
 #ifdef GSIM_SANITIZED
 inline constexpr int kFewerBy = 10;
 #else
@@ -26,7 +26,7 @@ inline double around(std::mt19937& random, double middle, double decades) {
     return middle * std::pow(10, between(random, -decades, decades));
 }
 
-/// A tool with a mass beside the turning head, on a hose. The machine has a table of dynamics.
+/// Adds a tool with a mass off the turning head's axis, on a hose. The machine has a table of dynamics.
 inline void add_tool_on_hose(machine::Machine& machine) {
     machine.dynamics->masses.push_back(
         {.on = "tool", .mass_kg = 5, .centre_mm = {20, 10, 80}, .inertia_kg_m2 = {0.02, 0.02, 0.01}});
@@ -71,7 +71,7 @@ inline Eigen::Vector3d random_direction(std::mt19937& random) {
     return direction.normalized();
 }
 
-/// A full circle from where the machine stands.
+/// Returns a full circle from the machine's position.
 inline ArcMove circle_at(const Simulator& simulator, double radius_mm, double feed_mm_min) {
     ArcMove move;
     move.center_mm = {simulator.position()[0] + radius_mm, simulator.position()[1], 0};

@@ -1,4 +1,4 @@
-// What a controller module is told of a machine is all of its kinematics.
+// A controller module receives the complete kinematics of a machine.
 
 #include "runtime/rcs/rcs_machine.h"
 

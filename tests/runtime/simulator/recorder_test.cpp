@@ -152,7 +152,7 @@ TEST_F(RecorderTest, EmptyRun) {
     EXPECT_EQ(report.bounds[1].limit_max, 2438.4);
 }
 
-// An arc from 45 deg over 180 deg passes the top and the leftmost point of its circle; neither end is there.
+// An arc from 45 deg over 180 deg passes the top and the leftmost point of its circle; neither is an end.
 TEST_F(RecorderTest, BoundsReachTheQuadrantsOfAnArc) {
     recorder.expect(info(1, MoveKind::arc_ccw));
     recorder.take(arc(1, 0, 500, 600, 100, 45, 180));

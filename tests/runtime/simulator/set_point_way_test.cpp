@@ -1,4 +1,4 @@
-// Distances from the way of the set points, against lines and circles.
+// Distances from the path of the set points, against lines and circles.
 #include "runtime/monitors/set_point_way.h"
 
 #include <cmath>
@@ -31,11 +31,11 @@ TEST(SetPointWay, WhatIsForgottenDoesNotCount) {
     way.add_line({10, 10, 0}, 2, false);
     way.forget_before(1.5);
     EXPECT_NEAR(way.distance_mm({2, 0, 0}), 8, 1e-12);
-    way.forget_before(9);  // the last piece stays
+    way.forget_before(9);  // the last part stays
     EXPECT_NEAR(way.distance_mm({10, 5, 0}), 0, 1e-12);
 }
 
-// Pieces of a twentieth of a radian are the circle to a millionth of a per mille.
+// Parts of a twentieth of a radian are the circle to a millionth of a per mille.
 TEST(SetPointWay, CircleByItsPieces) {
     constexpr double kRadius_mm = 50, kStep_rad = 0.05;
     SetPointWay way;
@@ -54,7 +54,7 @@ TEST(SetPointWay, CircleByItsPieces) {
     }
 }
 
-// Whichever piece is looked at first, the nearest is found: against looking at points of all of them.
+// The nearest part is found for any order of the search, compared with a check of points on all of them.
 TEST(SetPointWay, RandomWaysAgainstAllTheirPoints) {
     std::mt19937 random(11);
     const auto any = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };

@@ -1,4 +1,4 @@
-// What is said of ramps that end short of their blocks.
+// Warnings about ramps that end short of their blocks.
 #include "runtime/monitors/short_brakes_watch.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Limits of a run, and warnings of controllers whose keys come to nothing.
+// Limits of a run, and warnings about controller keys without effect.
 #include "runtime/simulator/simulator.h"
 
 #include <gmock/gmock.h>

@@ -7,7 +7,7 @@
 
 namespace gsim::simulation {
 
-/// A TextStream whose text ends up in a string.
+/// TextStream with its text in a string.
 class StringStream {
   public:
     TextStream& out() { return out_; }

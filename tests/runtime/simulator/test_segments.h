@@ -23,7 +23,8 @@ inline rrs::JointPos joints(double x, double y, double z = 0, double b = 0, doub
 constexpr double kSpeed_mm_s = 50;
 constexpr double kAcceleration_mm_s2 = 100;  // 0.5 s and 12.5 mm to kSpeed_mm_s
 
-/// A straight segment from rest to rest at those values, its rotary joints in proportion. 100 mm take 2.5 s.
+/// Returns a straight segment between standstills at those values, its rotary joints in proportion. 100 mm
+/// take 2.5 s.
 inline motion::Segment line(rrs::TargetId id, double start_s, const rrs::JointPos& start,
                             const rrs::JointPos& end) {
     motion::Segment segment;

@@ -1,5 +1,5 @@
-// Moves that lead the tool's tip in the work frame while the joints go curved ways: tool-centre-point control
-// of 5-axis mills, and Cartesian targets of an arm.
+// Moves of the TCP in the work frame with curved paths of the joints: TCP control of 5-axis mills, and
+// Cartesian targets of an arm.
 
 #include <cmath>
 #include <numbers>
@@ -93,8 +93,8 @@ double distance_to_line(const Vector3d& point, const Vector3d& from, const Vecto
     return (point - from - way * way.dot(point - from)).norm();
 }
 
-/// Speeds hold at any instant, accelerations over a time in which some pieces pass: between two of them
-/// speeds jump a little.
+/// Expects that speeds hold at any instant. Accelerations hold over a time in which some parts pass, because
+/// speeds jump a little between two of them.
 void expect_limits_held(const ToolRun& run, double window_s = 0.01) {
     const double step_s = run.kept.end_s() / 2000;
     for (double t = 0; t + window_s < run.kept.end_s(); t += step_s) {
@@ -270,7 +270,7 @@ TEST(ToolMoves, APlaceOnTheWayOutOfRangeIsNamed) {
     run.planner.SetCartesianPositionSpeed(50);
     JointPos end = joints_of({0, 0, 100, 0, 180}, setup);  // the ends are alike, the middle is 3 m off
     end = place_tip(setup, end, Vector3d::Zero(), run.tip(run.planner.position())).value();
-    EXPECT_EQ(run.to(end), Status::RRS_SUCCESS);  // on the axis of the table nothing has to move
+    EXPECT_EQ(run.to(end), Status::RRS_SUCCESS);  // on the axis of the table no joint has to move
     JointPos start = joints_of({200, 0, 100, 0, 0}, setup);
     ToolRun far(setup, start);
     far.control_tip({300, 0, 0});

@@ -84,7 +84,7 @@ AxisVector at(double x, double z) {
     return axes;
 }
 
-/// From rest to rest over a way, m, m/s, m/s2.
+/// Returns the time between standstills over a distance; m, m/s, m/s2.
 double time_s(double way, double speed, double up, double down) {
     const double ramps = 1 / up + 1 / down;
     if (speed * speed * ramps / 2 > way) return std::sqrt(2 * way * ramps);
@@ -249,8 +249,8 @@ TEST(TorqueLimit, ArmKeepsItsPeaksAndGainsTime) {
     for (unsigned seed = 0; seed < 60; ++seed) EXPECT_LE(excess(arm_run(read(constant), seed)), 1e-6) << seed;
 }
 
-/// The gantry with a turning head and a tool beside its axes, under a hose, and with motors that are strong
-/// enough to hold it.
+/// Returns the gantry with a turning head and a tool off its axes, under a hose. Its motors are strong enough
+/// to hold it.
 machine::Machine heavy(std::mt19937& random, std::string_view model) {
     machine::Machine machine = random_machine(random, af5());
     machine.controller = machine::built_in_controller(model).value();

@@ -64,7 +64,7 @@ TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
     EXPECT_NEAR(table.rows[1][7], 40, 1e-9);
     EXPECT_NEAR(table.rows[3][2], 12.5 + 0.7 * 50, 1e-9);
     EXPECT_NEAR(table.rows[3][7], 50, 1e-9);
-    // In the middle of the second line both have gone half of the way.
+    // In the middle of the second line both have moved half of the distance.
     const std::vector<double>& row = table.rows[9];  // 3.6 s, 1.1 s into the line
     EXPECT_NEAR(row[3], 12.5 + 0.6 * 50, 1e-9);
     EXPECT_NEAR(row[5], 0.9 * row[3], 1e-6);

@@ -61,7 +61,7 @@ TEST_P(WorkFrames, MotionIsThatOfTargetsTransformedByHand) {
     }
 }
 
-// The origin of a tool frame goes straight and evenly in the object frame, though the tool turns.
+// The origin of a tool frame moves straight and evenly in the object frame, though the tool turns.
 TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
     Posed robot(GetParam());
     robot.start();
@@ -140,7 +140,7 @@ TEST(WorkFramesOfCells, NamesThatCannotBeMeantAreRefused) {
     EXPECT_TRUE(robot.planner.selections().frames.object.isApprox(CartPos::Identity()));
 }
 
-// Where a table carries the work, what stands in the world moves against it.
+// If a table carries the work, objects in the world move against it.
 TEST(WorkFramesOfCells, TargetsAreOnTheTableThatCarriesTheWork) {
     Posed robot("mill-table-table");
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "stand"), Status::RRS_INVALID_PARAMETER);

@@ -70,7 +70,7 @@ TEST(ZoneBox, WhatIsForbiddenFromTheStartPassesNoWall) {
 TEST(ZoneBox, AnArcEntersAtItsAngle) {
     const motion::Segment way = arc(1, 0, 0, 0, 40, 0, 360);
     const double deg = std::numbers::pi / 180;
-    // y = 40 sin(phi) reaches 20 at 30 degrees, and again at 150 on its way down.
+    // y = 40 sin(phi) reaches 20 at 30 degrees, and again at 150 as it falls.
     expect_offence(box(false, {-100, 100}, {20, 100}).first_offence(way), time_at(40 * 30 * deg), 1, false);
     expect_offence(box(false, {-100, 0}, {-100, 20}).first_offence(way), time_at(40 * 150 * deg), 1, true);
     expect_offence(box(false, {-100, -20}, {-100, 100}).first_offence(way), time_at(40 * 120 * deg), 0, true);
@@ -103,7 +103,7 @@ TEST(ZoneBox, AHelixEntersWhenItIsHighEnoughAndWhereTheBoxIs) {
     EXPECT_FALSE(between_turns.first_offence(way));
 }
 
-// Two motions at once, of which one takes x back.
+// Two motions run at once, of which one takes x back.
 TEST(ZoneBox, TwoMotionsAtOnceEnterAtTheRootOfTheirSum) {
     const motion::LawPiece slowing{1, 0, 50, -50, 0};
     const motion::LawPiece gaining{1, 0, 0, 50, 0};

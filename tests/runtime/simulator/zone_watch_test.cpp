@@ -41,7 +41,7 @@ class Collected final : public RunOutput {
     std::vector<motion::Segment> segments;
 };
 
-/// How far a point is within the walls, mm; negative: outside.
+/// Returns the depth of a point within the walls, mm; negative: outside.
 double depth_mm(const machine::Zone& zone, const rrs::JointPos& at) {
     double depth = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
@@ -56,7 +56,7 @@ double allowance_mm(const machine::Zone& zone, const rrs::JointPos& at) {
     return zone.kind == ZoneKind::enter_forbidden ? -depth_mm(zone, at) : depth_mm(zone, at);
 }
 
-/// About a place that the motion comes through, or about where it starts.
+/// Returns a zone about a position that the motion passes, or about its start.
 machine::Zone random_zone(std::mt19937& random, const Collected& run) {
     machine::Zone zone;
     zone.kind = random() % 2 == 0 ? ZoneKind::enter_forbidden : ZoneKind::leave_forbidden;
@@ -70,7 +70,7 @@ machine::Zone random_zone(std::mt19937& random, const Collected& run) {
     return zone;
 }
 
-/// The least allowance of samples between two instants.
+/// Returns the smallest allowance of samples between two instants.
 double least_allowance_mm(const machine::Zone& zone, const Collected& run, double from_s, double to_s,
                           double step_s) {
     double least = std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ TEST_P(ZonesWithEachPlanner, EndTheRunAtTheFirstInstantThatIsNotAllowed) {
     EXPECT_GT(hits, 15);
 }
 
-/// Entries are where the tool passes from where it may be to where it may not, and none is left out.
+/// Expects entries where the tool passes from a permitted to a forbidden position, and no missing ones.
 void expect_entries(const machine::Zone& zone, const Collected& run, const std::vector<Violation>& entries) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const double from_s = entries[i].t_s;
@@ -233,7 +233,7 @@ machine::MachineData security_zone(double min_x, double max_x) {
     return data;
 }
 
-/// A machine that knows blocks ahead: segments come long behind the moves.
+/// Returns a simulator that knows blocks ahead: segments come long after the moves.
 Simulator& with_look_ahead(std::unique_ptr<Simulator>& simulator) {
     machine::Machine machine = af5();
     machine.controller.planner = PlannerKind::look_ahead;

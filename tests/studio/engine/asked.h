@@ -16,7 +16,7 @@ namespace gsim::studio {
 
 using Files = std::map<std::string, std::string>;
 
-/// What is posted to a page that has these files and no others.
+/// Returns the messages posted to a page that has these files and no others.
 inline std::vector<Frame> answers(const std::string& asked, const Files& files = {}) {
     engine::Host host;
     host.files = engine::Files::given([&](const std::string& name) -> std::optional<std::string> {
@@ -40,7 +40,7 @@ inline const Frame& last(const std::vector<Frame>& frames) {
     return frames.back();
 }
 
-/// The sentence of an answer that fails; "done" of one that does not.
+/// Returns the message of an answer that fails, or "done" for one that does not.
 inline std::string failure_of(const std::string& asked, const Files& files = {}) {
     const Frame end = answers(asked, files).back();
     return end.is() == "failed" ? end.header["message"].get<std::string>() : end.is();

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-// A tent of two edges that goes back along the ground: walls that lean by 30 degrees, 6 mm deep.
+// Returns a tent of two edges that runs back along the ground: walls tilted by 30 degrees, 6 mm deep.
 engine::Contours tent() {
     using Triple = engine::Contours::Triple;
     const Triple along{0.5, 0, -std::sqrt(3) / 2};
@@ -75,7 +75,7 @@ TEST(ContoursForm, ListsWhatCouldBeCut) {
     EXPECT_NEAR(contour["length_mm"].get<double>(), 50 + 50 + 60, 1e-9);
     EXPECT_NEAR(contour["depth_mm"].get<double>(), 6, 1e-9);
     EXPECT_NEAR(contour["lean_deg"].get<double>(), 30, 1e-9);
-    // Each place once, and the first one again at the end.
+    // Each position once, and the first one again at the end.
     EXPECT_EQ(contour["points"], 4);
     EXPECT_EQ(list.column<double>("lines"), (std::vector<double>{0, 0, 0, 30, 40, 0, 60, 0, 0, 0, 0, 0}));
     EXPECT_EQ(list.header["notes"], json{"3 contours look to another side"});

@@ -34,7 +34,7 @@ json set_offset(const json& values) {
     return {{"op", "set"}, {"section", "OFFSET"}, {"id", "54"}, {"values", values}};
 }
 
-/// Blanks in front of what stands behind a changed word keep it in its column.
+/// Blanks before the text after a changed word keep it in its column.
 std::string with_single_blanks(const std::string& text) {
     std::string single;
     std::unique_copy(text.begin(), text.end(), std::back_inserter(single),

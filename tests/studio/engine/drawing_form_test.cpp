@@ -17,7 +17,7 @@ const char* const kSquareSvg =
     R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">)"
     R"(<path d="M20,20 h100 v100 h-100 z"/></svg>)";
 
-// A machine whose only body is a pin on the tip, and a post that stands where the square is cut.
+// A machine with a pin on the TCP as its only body, and a post in the area of the square's cut.
 const char* const kPin = R"([machine]
 name = "pin"
 inverse = "numeric"
@@ -129,7 +129,7 @@ TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
     EXPECT_LT(path_of(asked).header["job"]["jet_s"].get<double>(), rests_s);
 }
 
-// From the drawing to the machine: all three requests of the way.
+// From the drawing to the machine: all three requests in sequence.
 TEST(DrawingForm, APathIsWrittenAndRun) {
     json asked = by_figures("plate.svg");
     asked["origin_mm"] = {200, 400, 50};

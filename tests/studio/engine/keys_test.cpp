@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-/// All that can be taken, from an object.
+/// All values that can be read from an object.
 struct Taken {
     std::string text;
     double number = 7;

@@ -48,7 +48,7 @@ TEST(LeanMessage, HasTheWayOfTheTipAndWhatItStandsFor) {
     EXPECT_EQ(segments, 1);
 }
 
-/// The only lean message of a run, and the whole one that it was made of.
+/// Returns the only lean message of a run, and the full message that it was made from.
 std::pair<Frame, Frame> lean_and_whole(const std::string& text) {
     for (const std::string& message : messages_of_run(text)) {
         if (const auto lean = lean_message(message)) return {read_frame(*lean), read_frame(message)};
@@ -76,7 +76,7 @@ TEST(LeanMessage, VerticesSayTheirSegmentAndWhatIsDrawnOfIt) {
     }
 }
 
-/// A message of two lines and an arc in three pieces that begins behind many days.
+/// Returns a message of two lines and an arc in three parts that begins after many days.
 std::string late_message() {
     constexpr double kLate_s = 1e6;
     Message message("segments");
@@ -101,7 +101,7 @@ TEST(LeanMessage, TimesAreThoseSinceItsStart) {
 }
 
 TEST(LeanMessage, WhatStandsStillHasNoSpeed) {
-    // The first vertex of all is where a run starts: of a dwell there is none but that.
+    // The very first vertex is the start of a run: a dwell has only that one.
     const auto [lean, whole] = lean_and_whole("G21 G90\nG4 P1\nM2\n");
     const auto packed = lean.column<std::uint32_t>("vertex_segment");
     ASSERT_EQ(packed.size(), 1U);

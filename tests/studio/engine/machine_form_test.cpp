@@ -22,7 +22,7 @@ std::string with(std::string text, const std::string& old, const std::string& no
     return text.replace(text.find(old), old.size(), now);
 }
 
-/// "file:line:column text" of all that is told.
+/// Returns "file:line:column text" of all reported messages.
 std::vector<std::string> told(const std::vector<Frame>& frames) {
     std::vector<std::string> all;
     for (const Frame& frame : of_kind(frames, "told")) {

@@ -55,7 +55,7 @@ TEST(PoseForm, FindsTheAxesForATip) {
     EXPECT_GT(pose["solutions"].size(), 1U);
 }
 
-// A path that stands in the same point with the same axis of the tool is written with one of the solutions.
+// A path at the same point with the same axis of the tool is written with one of the solutions.
 TEST(PoseForm, IsInTheFrameOfPaths) {
     for (const std::string machine : {"mill.toml", "mill2.toml", "offset.toml"}) {
         const json pose =
@@ -85,7 +85,7 @@ TEST(PoseForm, IsInTheFrameOfPaths) {
     }
 }
 
-// What a run draws behind G43 is the tip that a pose tells.
+// The TCP that a run draws after G43 is that of a pose.
 TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
     for (const std::string machine : {"", "mill.toml", "mill2.toml", "router.toml"}) {
         Files files = files_of_poses();

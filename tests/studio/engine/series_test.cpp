@@ -58,7 +58,7 @@ TEST(Series, OfMoreNoPeakIsLostAndNoneIsMade) {
     }
 }
 
-// What is straight for long is told in each step by what it comes to there.
+// A long straight part has in each step its value there.
 TEST(Series, StepsWithoutAnInstantHaveWhatIsBetweenTheirs) {
     Series series(1, 8);
     for (int i = 0; i <= 8; ++i) series.add(0.001 * i, std::array{0.0F});

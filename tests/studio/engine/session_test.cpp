@@ -61,8 +61,8 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
     const auto vertices = segments.column<float>("vertex_mm");
     ASSERT_EQ(segments.column<std::uint32_t>("tip"), (std::vector<std::uint32_t>{0, 1}))
         << last(frames).header;
-    EXPECT_NEAR(vertices.back(), 100, 1e-4);  // the axis goes to 130
-    // The new tip begins where it is when it is taken: 30 mm below the old one.
+    EXPECT_NEAR(vertices.back(), 100, 1e-4);  // the axis moves to 130
+    // The new TCP begins at its position at the change: 30 mm below the old one.
     ASSERT_GE(vertices.size(), 6U);
     EXPECT_NEAR(vertices[vertices.size() - 4], 70, 1e-4);
     const auto tips = of_kind(frames, "scene").back().header["scene"]["tips_mm"];
@@ -74,7 +74,7 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
 TEST(Session, TheDrawnWayWindsWithATurningTable) {
     std::string machine = sample("machines/mill-table-table.toml");
     const std::string shortest = "turning = \"shortest\"";
-    machine.erase(machine.find(shortest), shortest.size());  // whole turns are made
+    machine.erase(machine.find(shortest), shortest.size());  // full turns are made
     const auto frames =
         answers(R"({"do": "run", "program": "part.nc", "machine": "mill.toml"})",
                 {{"part.nc", "G21 G90\nG1 X100 Y0 F100000\nG1 C1440 F100000\nM2\n"}, {"mill.toml", machine}});
@@ -141,7 +141,7 @@ TEST(Session, AMachineWithMassesAndServoLoopsTellsThemOverTime) {
     const auto report = of_kind(frames, "report").at(0).header["report"];
     const Frame efforts = of_kind(frames, "efforts").at(0);
     const Frame following = of_kind(frames, "following").at(0);
-    // Of these motors that of X alone has less at high speeds.
+    // Only the motor of X has less at high speeds.
     EXPECT_EQ(channel_names(efforts), "power effort0 effort1 effort2 motor_peak0 share0 ");
     EXPECT_EQ(channel_names(following), "contour error0 error1 error2 ");
     const auto peak = [](const Frame& frame, std::size_t channel) {

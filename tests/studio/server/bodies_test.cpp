@@ -1,4 +1,4 @@
-// Bodies that are not taken: who sends one gets its answer nevertheless, and holds nothing for long.
+// Rejected bodies: a client that sends one still gets its answer, and holds no resources for long.
 
 #include <array>
 #include <atomic>
@@ -44,7 +44,7 @@ class Client {
         const timeval longest{20, 0};
         ::setsockopt(socket_.number(), SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
     }
-    /// Whether all of it was taken.
+    /// Returns true if all of it was sent.
     bool send(std::string_view bytes) const {
         while (!bytes.empty()) {
             const ssize_t sent = ::send(socket_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -53,7 +53,7 @@ class Client {
         }
         return true;
     }
-    /// What is there next; empty: the end, or nothing for long.
+    /// Returns the next data; empty: the end, or no data for long.
     std::string piece() const {
         std::string bytes(kPiece, '\0');
         bytes.resize(static_cast<std::size_t>(

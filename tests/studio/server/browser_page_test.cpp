@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A variable of the environment, until this goes.
+/// Variable of the environment, until this object is destroyed.
 class Variable {
   public:
     Variable(const char* name, const std::string& value) : name_(name) {

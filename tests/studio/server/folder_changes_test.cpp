@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::Field;
 using testing::IsEmpty;
 
-/// Looks whenever it is asked.
+/// Checks on each request.
 constexpr WalkBounds kAlways{.most_files = 3, .least_pause = milliseconds(0), .pause_of_walk = 0};
 
 class FolderChangesTest : public testing::Test {

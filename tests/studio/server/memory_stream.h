@@ -8,7 +8,7 @@
 
 namespace gsim::studio {
 
-/// A connection whose other end has sent all that it will send.
+/// Connection after the other end has sent all its data.
 class MemoryStream final : public httplib::Stream {
   public:
     explicit MemoryStream(std::string sent) : sent_(std::move(sent)) {}

@@ -16,7 +16,7 @@ namespace gsim::studio {
 
 namespace fs = std::filesystem;
 
-/// A server over a folder, whose engine is a shell.
+/// Server over a folder, with a shell as its engine.
 class StudioServerTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -40,7 +40,7 @@ class StudioServerTest : public testing::Test {
         const std::string address = server_->address();
         token_ = address.substr(address.size() - 33, 32);
     }
-    /// What comes back for the words of a request behind the token.
+    /// Returns the response to the words of a request after the token.
     std::string answer_to(const std::string& method, const std::string& path, const std::string& body = "",
                           const std::string& headers = "") const {
         return raw(method + " /" + token_ + "/" + path +

@@ -1,4 +1,4 @@
-// Asks under which name a document goes into the folder.
+// Dialog for the name under which a document is saved in the folder.
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";

@@ -1,4 +1,4 @@
-// Two versions of a file, one typed here and one written by another program: a person decides between them.
+// Two versions of a file, one typed here and one written by another program: the user decides between them.
 
 import type { Documents } from "../../core/documents";
 import { element } from "../../core/dom";
@@ -13,7 +13,7 @@ const LONGEST = 120;
 
 const linesOf = (text: string): string[] => text.split(/\r?\n/);
 
-/** Where two texts differ first. */
+/** Returns the first difference between two texts. */
 function difference(mine: string, theirs: string): Node[] {
   const [here, there] = [linesOf(mine), linesOf(theirs)];
   const most = Math.max(here.length, there.length);

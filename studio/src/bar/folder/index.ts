@@ -1,4 +1,5 @@
-// What the bar has for the folder that gsim-studio serves: saving, marks of what is not saved, and what stays to be said.
+// Elements of the bar for the folder that gsim-studio serves: saving, marks of unsaved documents, and
+// permanent messages.
 
 import { Debounced } from "../../core/debounced";
 import { element } from "../../core/dom";
@@ -20,9 +21,9 @@ const signs: Record<FileMark, string> = {
 export interface FolderControls {
   /** Save, and Save all. */
   buttons: HTMLElement;
-  /** Sentences that stay until what they tell of has ended. */
+  /** Messages that stay until their cause has ended. */
   standing: HTMLElement;
-  /** What stands behind a name in choices. */
+  /** Returns the mark after a name in choices. */
   markOf(name: string): string;
 }
 
@@ -40,7 +41,7 @@ export function createFolderControls(session: Session, folder: Folder): FolderCo
   const draw = () => {
     const marked = folder.marked();
     const name = store.get("document");
-    // What was dropped on the page is not in the folder, though nothing was typed.
+    // A file that was dropped on the page is not in the folder, even if no text was typed.
     const isToSave = marked.has(name) || (session.documents.isOwn(name) && !folder.has(name));
     if (folder.isLost) drawDownloads(save, all, name, marked);
     else drawSaves(save, all, name, isToSave, marked);
@@ -93,7 +94,7 @@ function listenToKeys(save: () => Promise<void>): void {
   document.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() !== "s" || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
     event.preventDefault();
-    // A key that is held says it once, and a dialog is about something that the page behind it has to leave as it is.
+    // A held key saves only once. An open dialog concerns data that the page must leave unchanged.
     if (!event.repeat && !document.querySelector("dialog[open]")) void save();
   });
 }

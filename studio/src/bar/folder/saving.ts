@@ -1,4 +1,4 @@
-// Saves documents into the folder; where there are two versions, a person decides.
+// Saves documents into the folder; if two versions exist, the user decides.
 
 import { UNTITLED } from "../../core/documents";
 import { download } from "../../core/files";
@@ -12,7 +12,7 @@ import { decide, type Decision } from "./conflict";
 const words = texts.folder;
 
 export class Saving {
-  /** Of which a dialog is open, or about to be. */
+  /** Names for which a dialog is open, or about to be. */
   private readonly asked = new Set<string>();
 
   constructor(
@@ -20,7 +20,7 @@ export class Saving {
     private readonly folder: Folder,
   ) {}
 
-  /** Returns the name under which it is saved now; null: it is not. */
+  /** Saves a document. Returns the name under which it is saved now; null: it is not. */
   async save(name: string): Promise<string | null> {
     const { folder, session } = this;
     if (folder.isLost) {
@@ -40,7 +40,7 @@ export class Saving {
     if (saved.length > 0) this.session.store.set("notice", words.saved(saved));
   }
 
-  /** Shows both versions, and does what a person decides. */
+  /** Shows both versions, and applies the user's decision. */
   async decide(name: string): Promise<string | null> {
     const { folder } = this;
     switch (await this.ask(name)) {
@@ -83,7 +83,7 @@ export class Saving {
     return null;
   }
 
-  /** Of samples that were changed, and of what was typed into an empty page. */
+  /** Returns true for changed samples, and for text that was typed into an empty page. */
   private lacksName(name: string): boolean {
     return !this.folder.has(name) && (name === UNTITLED || name.startsWith("samples/"));
   }

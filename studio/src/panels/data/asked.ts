@@ -1,4 +1,5 @@
-// Machine data as the engine knows them (docs/studio.md): what there may be, what there is, and how it is changed.
+// Machine data as known to the engine (docs/studio.md): possible entries, existing entries, and their
+// changes.
 
 import type { Session } from "../../core/session";
 import type { Told } from "../../run/run";
@@ -9,7 +10,7 @@ export interface Field {
   /** And what it may be. */
   meaning: string;
   required: boolean;
-  /** What it may be; the first one holds where none is given. */
+  /** Possible values; the first one applies by default. */
   choices?: string[];
 }
 
@@ -19,7 +20,7 @@ export interface Section {
   title: string;
   /** What an id may be. */
   id: string;
-  /** Its entries have lengths, each in mm or inch. */
+  /** True if its entries have lengths, each in mm or inch. */
   has_unit: boolean;
   fields: Field[];
 }
@@ -30,7 +31,7 @@ export type Value = number | string | null | undefined;
 export interface Entry {
   id: string;
   unit?: EntryUnit;
-  /** By the names of fields; null: there is no wall. */
+  /** Values by field name; null: no wall. */
   [field: string]: Value;
 }
 
@@ -57,16 +58,16 @@ export interface Data {
   text: string;
 }
 
-/** The data, or why there are none; `told` is what is suspect, or wrong. */
+/** The data, or the reason why they are missing; `told` has the warnings and errors. */
 export type Answered = { told: Told[] } & ({ data: Data } | { data: null; refusal: string });
 
 export const lengthUnit = (unit: EntryUnit): LengthUnit => (unit === "inch" ? "inch" : "mm");
 
-/** "jet.txt: 'a' is not a number", where it is clear which file it is. */
+/** Removes the file name from messages such as "jet.txt: 'a' is not a number", if the file is clear. */
 const withoutName = (sentence: string, file: string): string =>
   sentence.startsWith(`${file}: `) ? sentence.slice(file.length + 2) : sentence;
 
-/** The data of a file behind some changes; of a name without a file new data. */
+/** Returns the data of a file after some changes; new data if no file has the name. */
 export async function askData(session: Session, file: string, changes: DataChange[]): Promise<Answered> {
   const { machine, cell } = session.setup;
   const answer = await session.question({ do: "data", file, machine, cell, changes });

@@ -1,4 +1,4 @@
-// The file of machine data that the form is of: the setup's, or one that the first change makes.
+// File of machine data that the form edits: that of the setup, or one that the first change makes.
 
 import { kindOfFile } from "../../core/kinds";
 import type { Session } from "../../core/session";
@@ -11,12 +11,12 @@ const words = texts.data;
 const NEW = "shop";
 
 export class DataFile {
-  // One change at a time: each is made of the text that the one before left.
+  // One change at a time: each is made on the text that the one before has left.
   private last: Promise<unknown> = Promise.resolve();
 
   constructor(private readonly session: Session) {}
 
-  /** Whether no data are chosen: `name` is then what new ones will be called. */
+  /** True if no data are chosen: `name` is then the name for new data. */
   get isNew(): boolean {
     return this.session.setup.machine_data === "";
   }
@@ -36,7 +36,10 @@ export class DataFile {
     return askData(this.session, this.name, []);
   }
 
-  /** Makes a change of the file that is chosen, which undo takes back; `label` says what. Answers why not, or nothing. */
+  /**
+   * Makes a change of the chosen file, which undo reverts; `label` names it. Returns an error message, or an
+   * empty text.
+   */
   change(label: string, change: DataChange, isNew = false): Promise<string> {
     const { name } = this;
     const act = () => this.make(name, label, change, isNew);
@@ -45,18 +48,18 @@ export class DataFile {
     return made;
   }
 
-  /** Until all changes that were begun before have been made, or refused. */
+  /** Waits until all changes that were begun before have been made or refused. */
   async settled(): Promise<void> {
     await this.last.catch(() => {});
   }
 
-  /** Why a change could not be, or nothing; nothing is changed. */
+  /** Returns why a change is not possible, or an empty text; changes nothing. */
   async refusalOf(change: DataChange, isNew = false): Promise<string> {
     const answered = await this.after(change, isNew);
     return answered.data ? "" : answered.refusal;
   }
 
-  /** Takes a file of a disk for the run; answers why not, or nothing. */
+  /** Uses a file from a disk for the run; returns an error message, or an empty text. */
   take(name: string, bytes: Uint8Array): string {
     const { documents, history } = this.session;
     if (kindOfFile(name, bytes) !== "machine_data") return words.notData(name);
@@ -71,7 +74,7 @@ export class DataFile {
       if (this.name !== name) return words.otherFile(name);
       const content = documents.get(name);
       const answered = await this.after(change, isNew);
-      // What has been written there meanwhile is changed in its turn.
+      // If the text has changed meanwhile, the change is made again on the new text.
       if (this.name !== name || documents.get(name) !== content) continue;
       if (!answered.data) return answered.refusal;
       history.edit(label, { documents: { [name]: answered.data.text }, setup: { machine_data: name } });
@@ -79,7 +82,7 @@ export class DataFile {
     }
   }
 
-  /** What comes of a change; `isNew`: of one that adds an entry, and leaves those alone that there are. */
+  /** Returns the result of a change. `isNew`: the change adds an entry and must not alter existing ones. */
   private async after(change: DataChange, isNew: boolean): Promise<Answered> {
     const answered = await askData(this.session, this.name, [change]);
     if (!isNew || !answered.data || change.op !== "set") return answered;

@@ -1,5 +1,5 @@
-// An entry in a dialog: a field for each value, and the unit that its lengths are in. What the engine refuses is shown at the
-// field that it is about.
+// Dialog for an entry: a field for each value, and the unit of its lengths. An error of the engine is shown
+// at the field that it is about.
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
@@ -9,9 +9,9 @@ import { ValueField } from "./entry_fields";
 const words = texts.data;
 
 export interface EntryEvents {
-  /** Makes the change; answers why not, or nothing. */
+  /** Makes the change; returns an error message, or an empty text. */
   make(change: SetEntry): Promise<string>;
-  /** Why a change could not be, or nothing; nothing is changed. */
+  /** Returns why a change is not possible, or an empty text; changes nothing. */
   refusalOf(change: SetEntry): Promise<string>;
 }
 
@@ -23,7 +23,7 @@ export class EntryDialog {
   private unit: EntryUnit;
   private isAsking = false;
 
-  /** `entry` is null where a new one is to be made; its lengths are in `unit` to begin with. */
+  /** `entry` is null for a new entry; its lengths are initially in `unit`. */
   constructor(
     private readonly section: Section,
     private readonly entry: Entry | null,
@@ -101,7 +101,10 @@ export class EntryDialog {
     this.isAsking = false;
   }
 
-  /** What a refusal is about: what is refused so alone, or what it names; null: several together. */
+  /**
+   * Returns the field that caused an error: the one that alone gives this error, or that it names; null:
+   * several together.
+   */
   private async culprit(changed: ValueField[], refusal: string): Promise<ValueField | null> {
     const isOf = async (values: Record<string, string>) => (await this.events.refusalOf(this.change(values))) === refusal;
     const isOfAny = !this.entry && (await isOf({}));
@@ -109,7 +112,7 @@ export class EntryDialog {
     return this.fields.find((field) => field.isNamedIn(refusal)) ?? (isOfAny ? this.id : null);
   }
 
-  /** Shows why it cannot be, at a field or below all of them. */
+  /** Shows an error at a field, or below all fields. */
   private refuse(at: ValueField | null, why: string): void {
     for (const field of [this.id, ...this.fields]) field.refuse(field === at ? why : "");
     this.fault.textContent = at ? "" : why;

@@ -1,5 +1,5 @@
-// The values of an entry in a dialog: a field for each, with its unit and its meaning; only what a person has changed is
-// told.
+// Values of an entry in a dialog: a field for each, with its unit and its meaning. Only values that the user
+// has changed are passed on.
 
 import { choice, element } from "../../core/dom";
 import { length, mmOf } from "../../core/units";
@@ -8,19 +8,19 @@ import type { Entry, EntryUnit, Field } from "./asked";
 
 const words = texts.data;
 
-/** A length of one unit in the other, with the digits that a file would have. */
+/** Converts a length from one unit to the other, with the digits that a file would have. */
 function converted(value: number, from: EntryUnit, to: EntryUnit): string {
   if (from === to) return String(value);
   return String(Number((to === "inch" ? length(value, "inch") : mmOf(value, "inch")).toPrecision(15)));
 }
 
-/** A value of an entry, to be changed. */
+/** Value of an entry that can be changed. */
 export class ValueField {
   readonly element: HTMLElement;
   readonly input: HTMLInputElement | HTMLSelectElement;
   private readonly unit = element("span", { class: "unit" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
-  /** As it stands in the file. */
+  /** Value as in the file. */
   private shown: string;
 
   constructor(
@@ -51,18 +51,18 @@ export class ValueField {
     return this.field.name;
   }
 
-  /** "Xmin is 10" names XMIN; single letters are capitals. */
+  /** True for a message such as "Xmin is 10", which names XMIN; single letters are capitals. */
   isNamedIn(sentence: string): boolean {
     return new RegExp(`\\b${this.name}\\b`, this.name.length > 1 ? "i" : "").test(sentence);
   }
 
-  /** What was typed; undefined: it is as it stands in the file. */
+  /** Returns the typed text; undefined if it is the value of the file. */
   get changed(): string | undefined {
     const text = this.input.value.trim();
     return text === this.shown ? undefined : text;
   }
 
-  /** Shows it in a unit. What was typed stays as it is: it is meant in that unit. */
+  /** Shows the value in a unit. Typed text stays as it is, because it is meant in that unit. */
   show(unit: EntryUnit): void {
     const { field, entry } = this;
     const isTyped = this.changed !== undefined;
@@ -75,7 +75,7 @@ export class ValueField {
     this.unit.textContent = field.unit === "length" ? words.units[unit] : field.unit === "angle" ? words.angle : "";
   }
 
-  /** Shows why the value cannot be; empty: it can. */
+  /** Shows an error of the value; empty: none. */
   refuse(why: string): void {
     this.fault.textContent = why;
     this.fault.hidden = !why;

@@ -1,4 +1,4 @@
-// Machine data: one list of all that a control stores, and the entries of what is chosen there.
+// Machine data: a list of the data that a controller stores, and the entries of the chosen section.
 
 import "./data.css";
 import { choice, element, offer } from "../../core/dom";
@@ -19,7 +19,7 @@ const words = texts.data;
 const button = (text: string, title: string, act: () => void): HTMLButtonElement =>
   element("button", { title, onclick: () => void act() }, text);
 
-/** It keeps the focus: so it is not disabled, and does nothing. */
+/** The control keeps the focus: so it is not disabled, but does nothing. */
 const allow = (control: HTMLElement, on: boolean): void => control.setAttribute("aria-disabled", String(!on));
 
 class DataForm implements Form {
@@ -43,7 +43,7 @@ class DataForm implements Form {
   private readonly content: HTMLElement;
   readonly element: HTMLElement;
   private data: Data | null = null;
-  /** The file that the data are of. */
+  /** File of the shown data. */
   private shownName = "";
   private isShown = false;
   private question = 0;
@@ -100,7 +100,7 @@ class DataForm implements Form {
     const question = ++this.question;
     const { name } = this.file;
     const answered = await this.file.read();
-    // A later question has the later data.
+    // A later request has the later data.
     if (question !== this.question) return;
     this.shownName = name;
     this.show(answered);
@@ -117,7 +117,10 @@ class DataForm implements Form {
     this.showSection();
   }
 
-  /** Of its own lines each fault is told; what else there may be is of the machine or the cell. */
+  /**
+   * Returns the error to show. Errors in lines of the file are listed separately; others come from the
+   * machine or the cell.
+   */
   private faultOf(answered: Answered): string {
     if (answered.data) return "";
     return answered.told.length > 0 ? words.unreadable(this.file.name) : answered.refusal;
@@ -133,7 +136,9 @@ class DataForm implements Form {
     this.saveButton.title = file.isNew ? words.nothingToSave : words.saveHint(shortName(file.name));
   }
 
-  /** Undefined: there is nothing to be changed, or other data have been chosen and are not here yet. */
+  /**
+   * Returns undefined if nothing can be changed, or if other data have been chosen and are not loaded yet.
+   */
   private get section(): Section | undefined {
     if (this.shownName !== this.file.name) return undefined;
     return this.data?.sections.find(({ name }) => name === this.sections.value);
@@ -152,7 +157,7 @@ class DataForm implements Form {
     for (const each of buttons) allow(each, this.table.chosen !== undefined);
   }
 
-  /** What is refused without a dialog is said in the page's line. */
+  /** Shows an error in the notice line of the page if no dialog is open. */
   private async make(label: string, change: DataChange): Promise<void> {
     const refusal = await this.file.change(label, change);
     if (refusal) this.store.set("notice", refusal);

@@ -1,4 +1,4 @@
-// What is suspect in machine data, or wrong with their file.
+// Warnings about machine data, and errors of their file.
 
 import { element } from "../../core/dom";
 import type { Told } from "../../run/run";
@@ -6,7 +6,7 @@ import { texts } from "../../texts";
 
 export interface Problems {
   element: HTMLElement;
-  /** `fault`: why there are no data; empty: there are. */
+  /** `fault`: why the data are missing; empty: they exist. */
   show(told: Told[], fault: string): void;
 }
 

@@ -1,4 +1,4 @@
-// The entries of a section: a row for each, which arrows go among, Enter changes and Delete resets.
+// Entries of a section: a row for each. Arrows move between rows, Enter changes and Delete resets.
 
 import { arrange, element } from "../../core/dom";
 import { texts } from "../../texts";
@@ -12,9 +12,9 @@ export interface TableEvents {
   reset(): void;
   /** Another row is chosen. */
   chosen(): void;
-  /** The row that had the focus has gone, and there is no other one. */
+  /** Called when the row with the focus was removed and no other row is left. */
   emptied(): void;
-  /** The lengths of an entry are to be in the other unit. */
+  /** Called to switch the lengths of an entry to the other unit. */
   unit(entry: Entry): void;
 }
 
@@ -26,7 +26,7 @@ interface Row {
 
 const textOf = (value: Value): string => (value === null ? words.noWall : String(value ?? ""));
 
-/** Those that have to be there, and those that are. */
+/** Returns the required fields, and those that have a value. */
 const fieldsShown = ({ fields }: Section, entries: Entry[]): Field[] =>
   fields.filter(({ name, required }) => required || entries.some((entry) => entry[name] !== undefined));
 
@@ -59,14 +59,14 @@ export class EntryTable {
     return this.rows.get(this.chosenId)?.entry;
   }
 
-  /** The entry with that id is the chosen one as soon as there is one. */
+  /** Selects the entry with that id as soon as it exists. */
   choose(id: string): void {
     this.chosenId = id;
     this.mark();
     this.events.chosen();
   }
 
-  /** Rows stay what they are where their entry does, with the focus. */
+  /** Keeps the rows of entries that remain, with the focus. */
   show(section: Section, entries: Entry[]): void {
     if (section.name !== this.section) this.rows = new Map();
     this.section = section.name;
@@ -86,7 +86,7 @@ export class EntryTable {
     this.rows = new Map(entries.map((entry) => [entry.id, before.get(entry.id) ?? this.rowOf(entry)]));
     for (const entry of entries) this.fill(this.rows.get(entry.id)!, entry, fields);
     arrange(this.body, [...this.rows.values()].map((row) => row.element));
-    // Where the chosen row has gone the next one is chosen, and has the focus if that one had it.
+    // If the chosen row has been removed, the next one is chosen. It gets the focus if the old one had it.
     const all = [...this.rows.keys()];
     const isGone = !this.rows.has(this.chosenId);
     if (isGone) this.chosenId = all[Math.min(Math.max(chosenAt, 0), all.length - 1)] ?? "";
@@ -100,7 +100,7 @@ export class EntryTable {
   private rowOf(entry: Entry): Row {
     const row: Row = {
       element: element("tr", { tabindex: -1 }),
-      // One stop of the Tab key for the table; by keyboard the unit is in the form of the entry.
+      // The table is one stop of the Tab key; by keyboard the unit is set in the form of the entry.
       unit: element("button", { tabindex: -1, onclick: () => this.events.unit(row.entry) }),
       entry,
     };

@@ -1,4 +1,4 @@
-// The form of the cell's file: what stands round the machine.
+// Form of the cell's file: the bodies around the machine.
 
 import { arrange, element } from "../../core/dom";
 import { baseName, kindOfFile, namesOfKind, shortName, type FileKind } from "../../core/kinds";
@@ -19,7 +19,7 @@ import type { FileForm } from "./machine";
 
 const words = texts.machine.cell;
 
-/** The table [cell]: its name, and the files that belong to it. */
+/** Creates the section for the table [cell]: its name, and the files that belong to it. */
 function createHead(context: Context): Section {
   const { edits, model, session, store } = context;
   const home = () => ({ part: "cell" as const, at: ["cell"], owner: words.title });
@@ -52,11 +52,11 @@ function createHead(context: Context): Section {
   return { element: element("div", {}, rows.element, files.machine.element, files.machine_data.element), draw };
 }
 
-/** Names of the meshes that the cell has. */
+/** Returns the names of the meshes that the cell has. */
 const meshesOf = (cell: TomlTable, file: string): string[] =>
   ["object", "shape"].flatMap((kind) => tablesAt(cell, [kind]).map((table) => textAt(table, ["shape", "mesh"]))).filter((name) => name !== "").map((name) => resolved(file, name));
 
-/** Meshes that were dropped and are nowhere yet become objects at a click. */
+/** Creates the section of dropped meshes that are not used yet: a click makes one an object. */
 function createMeshes(context: Context, add: (name: string, file: string) => void): Section {
   const { model, session } = context;
   const host = element("div", { class: "meshes" });
@@ -80,7 +80,7 @@ const section = (title: string, open: boolean, ...parts: Section[]): Section => 
   draw: () => parts.forEach((part) => part.draw()),
 });
 
-/** A cell with nothing in it but the machine that runs. */
+/** Creates a cell that contains only the current machine. */
 function newCell(context: Context): void {
   const { edits, model, session } = context;
   const name = freeName("my-cell.toml", (each) => session.documents.exists(each));

@@ -1,4 +1,4 @@
-// Above a form: the file that it is of, its text, and its saving.
+// Row above a form: its file, the text of it, and a button to save it.
 
 import { element } from "../../core/dom";
 import { shortName } from "../../core/kinds";
@@ -39,7 +39,7 @@ export class FileRow {
     this.element = element("div", { class: "file-row" }, title, element("div", { class: "buttons" }, ...buttons), this.faults.element);
   }
 
-  /** What the check has found in all files. */
+  /** Shows the results of the check for all files. */
   tell(faults: Told[]): void {
     this.told = faults;
     this.draw();

@@ -1,4 +1,4 @@
-// The machine and the cell: forms of their files.
+// Machine and cell: forms of their files.
 
 import "./machine.css";
 import { element } from "../../core/dom";
@@ -18,7 +18,7 @@ import { Handle } from "./items/handle";
 import { createMachine } from "./machine";
 import { Checking } from "./sections/checking";
 
-/** What a body in the view is in the files; null: nothing of them. */
+/** Returns the item of the files for a body in the view; null: none. */
 function itemNamed(model: Model, name: string): Item | null {
   for (const [part, kind] of [["cell", "object"], ["cell", "shape"], ["machine", "shape"]] as const) {
     if (tablesAt(model.value(part), [kind]).some((table) => table.name === name)) return { part, kind, name };
@@ -49,7 +49,7 @@ export function createMachineForm(store: Store, session: Session): Form {
   let isShown = false;
   store.on("body", (name) => {
     if (!isShown || !name) return;
-    // The next click on it is another one.
+    // Reset, so that the next click counts as a change.
     store.set("body", null);
     const item = itemNamed(model, name);
     if (!item) return;

@@ -1,4 +1,4 @@
-// The form of the machine's file.
+// Form of the machine's file.
 
 import { arrange, element } from "../../core/dom";
 import type { Told } from "../../run/run";
@@ -16,7 +16,7 @@ import { showWizard } from "./wizard/dialog";
 
 const words = texts.machine;
 
-/** A form, with what the check says of its files. */
+/** Form that also shows the results of the check for its files. */
 export interface FileForm extends Section {
   told(faults: Told[]): void;
 }
@@ -56,7 +56,7 @@ export function createMachine(context: Context, chosen: Chosen, check: CheckResu
   const draw = () => {
     row.draw();
     const { value } = context.model.parts.get("machine") ?? { value: null };
-    // Of a text that is no TOML there is nothing to show.
+    // Text that is not valid TOML has nothing to show.
     host.hidden = value === null;
     if (value !== null) for (const [, section] of sections) section.draw();
   };

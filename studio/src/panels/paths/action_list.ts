@@ -1,4 +1,4 @@
-// What is done at a point, in order: names, of which the usual ones are offered.
+// Actions at a point, in order: names, with the usual ones as suggestions.
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
@@ -6,7 +6,7 @@ import { row } from "./fields";
 
 const words = texts.paths.form;
 const usual = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
-/** Each list of what is offered has an id of its own. */
+/** Each list of suggestions has its own id. */
 let lists = 0;
 
 export class ActionList {

@@ -1,4 +1,4 @@
-// What is done with the chosen points of a path: each a step of the history.
+// Actions on the chosen points of a path: each is a step of the history.
 
 import { editPath } from "../../core/path_desk";
 import type { PathShown } from "../../core/path_shown";
@@ -22,7 +22,7 @@ import type { PointChoice, Range } from "./choice_of_points";
 import type { TreeActions } from "./tree";
 
 const words = texts.paths;
-/** How far a point that continues a path is from the last one. */
+/** Distance of a new point from the last one of a path. */
 const STEP_MM = 10;
 
 export class PathActions implements TreeActions {
@@ -30,7 +30,7 @@ export class PathActions implements TreeActions {
     private readonly store: Store,
     private readonly session: Session,
     private readonly choice: PointChoice,
-    /** Says why something is not done; empty: it is. */
+    /** Shows why something is not done; empty: it is done. */
     private readonly say: (sentence: string) => void,
   ) {}
 
@@ -45,7 +45,7 @@ export class PathActions implements TreeActions {
     if (range) this.choice.chooseRange(range);
   }
 
-  /** Behind what is chosen; where nothing is, at the end of the path to begin with. */
+  /** Returns the position after the selection; without one, the end of the path to begin with. */
   private get behind(): { shown: PathShown; place: Place } | null {
     const { shown } = this;
     if (!shown) return null;
@@ -62,17 +62,17 @@ export class PathActions implements TreeActions {
     this.edit(label, addTargets(at.shown.text, at.shown.file, at.place, [target]), { place: { path, target: before + 1 }, count: 1 });
   }
 
-  /** Puts a point, and chooses it. */
+  /** Inserts a point and selects it. */
   addPoint(point: Point, label: string = words.labels.add): void {
     this.insert(label, point);
   }
 
-  /** A point on the way to the next one, or beyond the last one. */
+  /** Adds a point halfway to the next one, or beyond the last one. */
   add(): void {
     const at = this.behind;
     if (!at) return;
     const before = targetAt(at.shown.file, at.place);
-    // Where a machine point is in the work nobody knows: only a rapid leads from there.
+    // The position of a machine point in the work is unknown: only a rapid leads from there.
     const motion = before && isMachinePoint(before) ? "rapid" : "linear";
     this.addPoint({ motion, position_mm: placeBehind(at.shown, at.place) });
   }
@@ -124,7 +124,7 @@ export class PathActions implements TreeActions {
   moveTo(place: Place): void {
     const { range } = this.choice;
     if (!range || this.choice.has(place)) return;
-    // Behind what is below, in front of what is above.
+    // After the target if that is further down, before it if it is further up.
     this.moveToIndex(range, place.target > range.place.target ? place.target - range.count + 1 : place.target);
   }
 
@@ -149,7 +149,7 @@ export class PathActions implements TreeActions {
     const range = this.choice.range ?? { place: { path: Math.max(rootOf(shown?.file ?? { paths: [] }), 0), target: -1 }, count: 1 };
     if (!shown) return;
     const all = { place: { path: range.place.path, target: 0 }, count: shown.file.paths[range.place.path].targets.length };
-    // One point alone stands for its path: a contour has several.
+    // A single point selects its path, because a contour has several points.
     const { place, count } = range.count > 1 ? range : all;
     const made = addLeads(shown.text, shown.file, shown.walk, place, count, choice);
     if (typeof made === "string") this.edit(words.labels.leads, made);
@@ -159,7 +159,7 @@ export class PathActions implements TreeActions {
 
 const lastOf = ({ file }: PathShown, path: number): Place => ({ path, target: file.paths[path].targets.length - 1 });
 
-/** Where a point behind another one could be. */
+/** Returns a position for a point after another one. */
 function placeBehind({ file, walk }: PathShown, place: Place): Vector {
   const { path, target } = place;
   const here = pointAt(file, place)?.position_mm ?? walk.motions.find((motion) => motion.place.path === path)?.to_mm ?? [0, 0, 0];

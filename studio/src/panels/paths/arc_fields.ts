@@ -1,4 +1,4 @@
-// How an arc goes: through a via point, or about a centre.
+// Definition of an arc: through a via point, or about a centre.
 
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";

@@ -1,16 +1,17 @@
-// What of a path is chosen: a target or several that stand together, or a path itself. The last one chosen is in the store.
+// Selection in a path: a target or several adjacent ones, or a path itself. The last one chosen is in the
+// store.
 
 import type { Store } from "../../core/store";
 import { isSamePlace, type Place } from "../../run/path/path_file";
 
-/** Targets of a path, one behind the other; with a target of -1: the path itself. */
+/** Consecutive targets of a path; with a target of -1: the path itself. */
 export interface Range {
   place: Place;
   count: number;
 }
 
 export class PointChoice {
-  /** The other end of what is chosen; null: one target alone. */
+  /** Other end of the selection; null: a single target. */
   private anchor: Place | null = null;
   private isChoosing = false;
   private readonly listeners = new Set<() => void>();
@@ -22,7 +23,7 @@ export class PointChoice {
     });
   }
 
-  /** Told of each change. */
+  /** Adds a listener for changes. */
   on(listener: () => void): void {
     this.listeners.add(listener);
   }
@@ -35,7 +36,7 @@ export class PointChoice {
     return this.store.get("pathPoint");
   }
 
-  /** null: nothing is chosen. */
+  /** Returns null without a selection. */
   get range(): Range | null {
     const { point, anchor } = this;
     if (!point) return null;
@@ -49,7 +50,7 @@ export class PointChoice {
     return range?.place.path === path && target >= range.place.target && target < range.place.target + range.count;
   }
 
-  /** `extended`: with all between it and the one that was chosen first. */
+  /** `extended`: with all targets between it and the one that was chosen first. */
   choose(place: Place, extended = false): void {
     this.anchor = extended ? (this.anchor ?? this.point) : null;
     if (isSamePlace(place, this.point)) return this.tell();

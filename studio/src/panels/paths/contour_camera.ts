@@ -1,15 +1,15 @@
-// How lines in space are seen, without perspective, and what of them is near to a place of the picture.
+// Camera for lines in space, without perspective, and a search for lines near a position in the picture.
 
 import type { Vector } from "../../run/path/vector";
 
-/** Where one looks from. */
+/** Direction and zoom of the view. */
 export interface Camera {
-  /** About Z, and from the level up. */
+  /** Angle about Z, and up from the horizontal. */
   yaw_rad: number;
   rise_rad: number;
-  /** 1: all just fit as they are seen at first. */
+  /** 1: all lines just fit as first shown. */
   zoom: number;
-  /** What stands in the middle of the picture, to the right and up from the middle of the lines. */
+  /** Point at the centre of the picture, to the right and up from the middle of the lines. */
   aside_mm: readonly [right: number, up: number];
 }
 
@@ -18,7 +18,7 @@ export interface Size {
   height: number;
 }
 
-/** What there is to see: its middle, and how wide and high it is by its first camera. */
+/** Extent of the lines: their middle, and their width and height in the first camera. */
 export interface Extent {
   middle: Vector;
   width_mm: number;
@@ -31,13 +31,13 @@ const STEEP_rad = 1.1;
 const YAWS: Record<string, number> = { x: 0, y: Math.PI / 2, "-x": Math.PI, "-y": -Math.PI / 2 };
 const MARGIN = 0.88;
 
-/** Faces that look to this side are seen, somewhat askew. */
+/** Returns a slightly oblique view of the faces that look to this side. */
 export function firstCamera(side: string): Camera {
   const rise_rad = side === "z" ? STEEP_rad : side === "-z" ? -STEEP_rad : RISE_rad;
   return { yaw_rad: (YAWS[side] ?? -Math.PI / 2) + ASKEW_rad, rise_rad, zoom: 1, aside_mm: [0, 0] };
 }
 
-/** Turned by a drag across the picture. */
+/** Returns the camera after a drag across the picture. */
 export function turned(camera: Camera, right_px: number, down_px: number): Camera {
   const PER_PX_rad = 0.01;
   const rise_rad = camera.rise_rad + down_px * PER_PX_rad;
@@ -53,7 +53,7 @@ function directions({ yaw_rad, rise_rad }: Camera): [right: Vector, up: Vector] 
   ];
 }
 
-/** Calls with each place as it is seen: to the right and up from the middle. */
+/** Calls `take` with each position as seen: to the right and up from the middle. */
 function seen(line_mm: Float64Array, middle: Vector, camera: Camera, take: (right: number, up: number) => void): void {
   const [right, up] = directions(camera);
   for (let i = 0; i < line_mm.length; i += 3) {
@@ -88,7 +88,7 @@ export function scaleOf({ width_mm, height_mm }: Extent, { zoom }: Camera, { wid
   return MARGIN * zoom * Math.min(width / Math.max(width_mm, LEAST_mm), height / Math.max(height_mm, LEAST_mm));
 }
 
-/** Zoomed so that what is at a place of the picture stays there. */
+/** Returns a zoomed camera that keeps a position of the picture fixed. */
 export function zoomed(camera: Camera, factor: number, extent: Extent, size: Size, x: number, y: number): Camera {
   const [LEAST, MOST] = [0.2, 200];
   const zoom = Math.min(MOST, Math.max(LEAST, camera.zoom * factor));
@@ -98,7 +98,7 @@ export function zoomed(camera: Camera, factor: number, extent: Extent, size: Siz
   return { ...camera, zoom, aside_mm: [right + (x - size.width / 2) * shift, up - (y - size.height / 2) * shift] };
 }
 
-/** A line on the picture: x and y of each place. */
+/** Returns a line in the picture: x and y of each position. */
 export function drawn(line_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
   const scale = scaleOf(extent, camera, size);
   const [right, up] = camera.aside_mm;
@@ -111,7 +111,7 @@ export function drawn(line_mm: Float64Array, extent: Extent, camera: Camera, siz
   return line;
 }
 
-/** From a place to a line. */
+/** Returns the distance from a position to a line. */
 function distance(line: Float32Array, x: number, y: number): number {
   let nearest = Infinity;
   for (let i = 2; i < line.length; i += 2) {
@@ -124,7 +124,7 @@ function distance(line: Float32Array, x: number, y: number): number {
   return nearest;
 }
 
-/** The line that is nearest to a place, and near enough; -1: none is. */
+/** Returns the line that is nearest to a position, and near enough; -1: none. */
 export function lineAt(lines: readonly Float32Array[], x: number, y: number, within_px: number): number {
   let [found, least] = [-1, within_px];
   lines.forEach((line, i) => {

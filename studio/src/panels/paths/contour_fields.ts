@@ -1,4 +1,4 @@
-// Which contours of a part are cut that need not be flat, and how the jet stands in them.
+// Contours of a part to cut, for parts that need not be flat, and the direction of the jet in them.
 
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -7,12 +7,12 @@ import { ChoiceRow, NumberRow, TextRow, type Quantity } from "./fields";
 
 const words = texts.paths.contours;
 
-/** As the engine takes it; what is undefined is left to it. */
+/** Options as the engine takes them; it decides about undefined ones. */
 export interface ContourChoice {
   kind: string;
   side?: string;
   faces?: string[];
-  /** Of these those that have one of these edges; none: all. */
+  /** Only contours with one of these edges; undefined: all. */
   edges?: string[];
   axis?: string;
   lean_deg?: number;
@@ -24,7 +24,7 @@ export interface ContourChoice {
 
 type NumberKey = keyof typeof words.numbers;
 
-/** Numbers, and what the engine takes where there is none. */
+/** Numbers, and the defaults of the engine. */
 const numbers: Record<NumberKey, [quantity: Quantity, without: number]> = {
   lean_deg: ["angle", 0],
   tilt_deg: ["angle", 0],
@@ -56,7 +56,7 @@ export class ContourFields {
   private readonly rows = new Map<NumberKey, NumberRow>();
   private readonly more: HTMLElement;
 
-  /** `change`: undefined where the part is a flat one. */
+  /** `change`: undefined if the part is flat. */
   constructor(private readonly change: (choice: ContourChoice | undefined) => void) {
     for (const key of Object.keys(numbers) as NumberKey[])
       this.rows.set(key, new NumberRow(words.numbers[key], numbers[key][0], (value) => this.set({ [key]: value })));

@@ -1,4 +1,4 @@
-// The contours of a part in words: what the picture shows and does, for the keyboard and those who hear the page.
+// Contours of a part in words: the functions of the picture for the keyboard and for screen readers.
 
 import { check, element } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -16,7 +16,7 @@ export function contourText({ face, isHole, edges, length_mm, depth_mm, lean_deg
 }
 
 export interface ContourListEvents {
-  /** The contour in whose row the pointer or the focus is; -1: there is none. */
+  /** Called with the contour of the row with the pointer or the focus; -1: none. */
   pointed(contour: number): void;
   ticked(contour: number, isCut: boolean): void;
 }
@@ -45,7 +45,7 @@ export class ContourList {
     this.rows.forEach((row, i) => row.classList.toggle("highlighted", i === highlighted));
   }
 
-  /** Where the picture was pointed at. */
+  /** Scrolls to the contour pointed at in the picture. */
   scrollTo(contour: number): void {
     this.rows[contour]?.scrollIntoView({ block: "nearest" });
   }

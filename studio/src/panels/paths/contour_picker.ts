@@ -1,4 +1,5 @@
-// What of a part could be cut, as a picture and a list to choose from. The engine is asked anew where the fields choose other contours.
+// Contours of a part that can be cut, as a picture and a list to choose from. A new request is sent if the
+// fields choose other contours.
 
 import { element } from "../../core/dom";
 import type { Session } from "../../core/session";
@@ -12,14 +13,14 @@ import { contoursOfPart } from "./engine_requests";
 
 const words = texts.paths.contours.picture;
 
-/** Of what part, and by what fields. */
+/** Part, and the fields that choose its contours. */
 export interface ContourSource {
   drawing: string;
   curve_tolerance_mm: number | undefined;
   contours: ContourChoice;
 }
 
-/** What the engine is asked, which other fields do not change. */
+/** Returns the request to the engine, which other fields do not change. */
 function requestOf({ drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } }: ContourSource) {
   return { drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } };
 }
@@ -46,7 +47,7 @@ export class ContourPicker {
   private isCut: boolean[] = [];
   private highlighted = -1;
   private units: Units = "mm";
-  /** What is to be known, and of what it is known: requests as text. Empty: nothing. */
+  /** Wanted request, and the request of the known result, as text. Empty: none. */
   private wanted = "";
   private known = "";
   private isAsking = false;
@@ -62,7 +63,7 @@ export class ContourPicker {
     this.element = element("section", { class: "contour-picker", "aria-label": words.title }, this.status, this.fault, this.found);
   }
 
-  /** null: nothing is to be chosen from. */
+  /** A source of null: nothing can be chosen. */
   show(source: ContourSource | null, picks: readonly string[] | undefined, units: Units): void {
     this.element.hidden = source === null;
     this.wanted = source ? JSON.stringify(requestOf(source)) : "";
@@ -81,7 +82,10 @@ export class ContourPicker {
     this.view.end();
   }
 
-  /** One question at a time; what was asked for meanwhile is asked behind it, and an answer that is late by then changes nothing. */
+  /**
+   * Sends one request at a time. A request that comes meanwhile is sent after it, and an outdated response
+   * changes nothing.
+   */
   private async ask(): Promise<void> {
     if (this.isAsking) return;
     this.isAsking = true;

@@ -1,4 +1,4 @@
-// The picture of a part's contours, which can be turned: a click on one takes it out, or in again.
+// Picture of a part's contours that can be turned: a click on one removes it, or adds it again.
 
 import { element } from "../../core/dom";
 import { onTheme, themeColour } from "../../core/theme";
@@ -8,13 +8,13 @@ import { drawn, extentOf, firstCamera, lineAt, turned, zoomed, type Camera, type
 const words = texts.paths.contours.picture;
 
 const NEAR_px = 9;
-/** A pointer that has gone this far turns the picture, and clicks on nothing. */
+/** A pointer that has moved this far turns the picture, and is not a click. */
 const DRAG_px = 4;
 const KEY_px = 12;
 const ZOOM = 1.25;
 
 export interface ContourViewEvents {
-  /** The contour under the pointer; -1: there is none. */
+  /** Called with the contour under the pointer; -1: none. */
   pointed(contour: number): void;
   clicked(contour: number): void;
 }
@@ -28,7 +28,7 @@ export class ContourView {
   private side = "z";
   private camera: Camera = firstCamera("z");
   private extent: Extent = extentOf([], this.camera);
-  /** Where the pointer went down, and whether it has turned the picture since. */
+  /** Position of the pointer press, and whether it has turned the picture since. */
   private held: { x: number; y: number; turns: boolean } | null = null;
   private frame = 0;
   private readonly resizing = new ResizeObserver(() => this.draw());
@@ -52,7 +52,7 @@ export class ContourView {
     this.resizing.observe(this.element);
   }
 
-  /** Other lines, seen from a side. */
+  /** Shows other lines, seen from a side. */
   showLines(lines_mm: Float64Array[], side: string): void {
     this.lines_mm = lines_mm;
     this.side = side;
@@ -158,7 +158,7 @@ export class ContourView {
       for (let k = 0; k < line.length; k += 2) context.lineTo(line[k], line[k + 1]);
       context.stroke();
     };
-    // What is cut lies above what is not, and what is pointed at above all.
+    // Cut contours are drawn over uncut ones, and the one pointed at over all.
     this.lines.forEach((_, i) => !this.isCut[i] && stroke(i, 1.2));
     this.lines.forEach((_, i) => this.isCut[i] && stroke(i, 2));
     if (this.highlighted >= 0 && this.highlighted < this.lines.length) stroke(this.highlighted, 5);

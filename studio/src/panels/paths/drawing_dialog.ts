@@ -1,4 +1,4 @@
-// A path from a drawing: what is cut, of what, and how. It becomes a path file.
+// Makes a path from a drawing: its parts to cut, and the options. The result is a path file.
 
 import { check, choice, element } from "../../core/dom";
 import { namesOfKind, shortName } from "../../core/kinds";
@@ -13,7 +13,7 @@ import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fiel
 
 const words = texts.paths.drawing;
 
-/** As the engine takes it; what is undefined is left to it. */
+/** Options as the engine takes them; it decides about undefined ones. */
 export interface DrawingChoice {
   material: string;
   thickness_mm?: number;
@@ -30,17 +30,17 @@ export interface DrawingChoice {
   curve_tolerance_mm?: number;
   gap_mm?: number;
   layers?: string[];
-  /** Of a solid: where its upper side looks, and whether it is turned over. */
+  /** For a solid: direction of its upper side, and whether it is turned over. */
   up?: string;
   flip?: boolean;
-  /** The jet leans against the taper of its kerf; it moves while it pierces. Of flat parts and drawings. */
+  /** For flat parts and drawings: the jet tilts against the taper of its kerf; it moves while it pierces. */
   straighten?: boolean;
   moving_pierce?: boolean;
-  /** Of a solid that need not be flat. */
+  /** For a solid that need not be flat. */
   contours?: ContourChoice;
-  /** Ways between cuts lead past machine and cell of the set-up. */
+  /** True if paths between cuts avoid the machine and cell of the setup. */
   past?: boolean;
-  /** Of which part contours were taken out, and an edge of each that was left. */
+  /** Part that had contours removed, and an edge of each remaining one. */
   picked?: { drawing: string; edges: string[] };
 }
 
@@ -48,7 +48,7 @@ type NumberKey = {
   [Key in keyof DrawingChoice]-?: DrawingChoice[Key] extends number | undefined ? Key : never;
 }[keyof DrawingChoice];
 
-/** Numbers, and what the engine takes where there is none (0: that of the material, or nothing to be told). */
+/** Numbers, and the default of the engine (0: that of the material, or nothing to set). */
 const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | undefined]>> = {
   thickness_mm: ["length", undefined],
   quality: ["none", undefined],
@@ -67,10 +67,10 @@ const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
 const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
 const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 
-/** Parts, which the native engine reads. */
+/** True for parts, which the native engine reads. */
 const isSolid = (name: string): boolean => /\.(step|stp|iges|igs)$/i.test(name);
 
-/** What a path can be made of. */
+/** Returns the files that a path can be made from. */
 export function drawingsOf({ documents }: Session): string[] {
   return [...namesOfKind("drawing", documents), ...documents.names().filter(isSolid)];
 }
@@ -78,11 +78,11 @@ export function drawingsOf({ documents }: Session): string[] {
 /** undefined: all contours are cut. */
 const picksFor = (drawing: string, { picked }: DrawingChoice): string[] | undefined => (picked?.drawing === drawing ? picked.edges : undefined);
 
-/** Whether fields choose the same contours of a part. */
+/** True if both choices select the same contours of a part. */
 const chooseTheSame = (a: ContourChoice | undefined, b: ContourChoice | undefined): boolean =>
   a?.kind === b?.kind && a?.side === b?.side && a?.faces?.join(";") === b?.faces?.join(";");
 
-/** What goes with the drawing, of all that was chosen for this one and others. */
+/** Returns the options that apply to the drawing, of all that were chosen for this one and others. */
 function requestOf(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
   const { material, up, flip, contours, picked, past, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
   const common = { drawing, ...rest, material: material || undefined, place: past ? { machine, cell, machine_data } : undefined };
@@ -94,7 +94,7 @@ function requestOf(drawing: string, choice: DrawingChoice, { machine, cell, mach
 export const firstDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
 
 export interface DrawingEvents {
-  /** What is chosen, to be offered again. */
+  /** Called with the choice, to offer it again. */
   chosen(choice: DrawingChoice): void;
   /** What was made, and what of. */
   made(path: DrawnPath, drawing: string): void;
@@ -140,7 +140,7 @@ export class DrawingDialog {
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
   private readonly ofMaterial = element("div", { class: "group" });
   private readonly ownGroup = element("div", { class: "group" });
-  /** Whether figures of one's own overrule those of the material. */
+  /** True if own values override those of the material. */
   private overrules = false;
   private readonly own = check(words.own, (on) => {
     this.overrules = on;

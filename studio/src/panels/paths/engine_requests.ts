@@ -1,4 +1,4 @@
-// What forms of paths ask the engine for (docs/studio.md).
+// Requests of the path forms to the engine (docs/studio.md).
 
 import type { Answered } from "../../core/answered";
 import type { Session } from "../../core/session";
@@ -6,10 +6,10 @@ import type { ListedContour } from "./contour_picks";
 
 const decode = (bytes: unknown): string => new TextDecoder().decode(bytes as Uint8Array);
 
-/** The first message of a name; null: none came. */
+/** Returns the first message of a name; null: none came. */
 const messageOf = ({ messages }: Answered, name: string) => messages.find(({ is }) => is === name) ?? null;
 
-/** What was found suspect, in sentences. */
+/** Returns the messages of warnings. */
 const toldOf = ({ messages }: Answered): string[] =>
   messages.flatMap(({ is, header }) => (is === "told" ? [String(header.text)] : []));
 
@@ -37,7 +37,7 @@ export interface WriteChoice {
   decimals_mm: number | undefined;
 }
 
-/** A path as a part program for the machine of the setup. */
+/** Writes a path as a part program for the machine of the setup. */
 export async function writeProgram(session: Session, path: string, choice: WriteChoice): Promise<WrittenProgram | Refused> {
   const { machine, machine_data, cell } = session.setup;
   const answer = await session.question({ do: "write", path, machine, machine_data, cell, ...choice });
@@ -48,13 +48,13 @@ export async function writeProgram(session: Session, path: string, choice: Write
   return { text: decode(message.columns.get("text")), notes: message.header.notes as string[], files };
 }
 
-/** Names of the posts that are built in. */
+/** Returns the names of the built-in posts. */
 export async function posts(session: Session): Promise<string[]> {
   const message = messageOf(await session.question({ do: "posts" }), "posts");
   return (message?.header.names as string[] | undefined) ?? [];
 }
 
-/** Names of materials that are built in. */
+/** Returns the names of the built-in materials. */
 export async function materials(session: Session): Promise<string[]> {
   const message = messageOf(await session.question({ do: "materials" }), "materials");
   return ((message?.header.materials as { name: string }[] | undefined) ?? []).map(({ name }) => name);
@@ -67,7 +67,7 @@ export interface DrawnPath {
   told: string[];
 }
 
-/** A path from a drawing, by the options of autopath. */
+/** Makes a path from a drawing, by the options of autopath. */
 export async function pathOfDrawing(session: Session, request: Record<string, unknown>): Promise<DrawnPath | Refused> {
   const answer = await session.question({ do: "drawing", ...request });
   const message = messageOf(answer, "path");
@@ -78,7 +78,7 @@ export async function pathOfDrawing(session: Session, request: Record<string, un
 
 export interface PartContours {
   contours: ListedContour[];
-  /** What of the part is left out, in sentences. */
+  /** Parts of the model that are left out, as messages. */
   notes: string[];
 }
 
@@ -92,7 +92,7 @@ interface ContourHeader {
   points: number;
 }
 
-/** What of a part could be cut. */
+/** Returns the contours of a part that could be cut. */
 export async function contoursOfPart(session: Session, request: Record<string, unknown>): Promise<PartContours | Refused> {
   const answer = await session.question({ do: "contours", ...request });
   const message = messageOf(answer, "contours");

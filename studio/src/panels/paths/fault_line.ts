@@ -1,4 +1,4 @@
-// What is wrong at a place of a path, above its form.
+// Error at a position of a path, above its form.
 
 import { element } from "../../core/dom";
 import type { PathShown } from "../../core/path_shown";

@@ -1,4 +1,4 @@
-// Fields of a form that are shown anew in place, so that who types in one keeps it.
+// Fields of a form that are updated in place, so that a user does not lose the typed text.
 
 import { choice, element, offer } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -25,13 +25,13 @@ export function unitText(quantity: Quantity, units: Units): string {
   return all[quantity];
 }
 
-/** As many digits as matter, without zeros at the end. */
+/** Returns a number with as many digits as matter, without trailing zeros. */
 export function numberText(value: number, quantity: Quantity, units: Units): string {
   const shown = areLengths.includes(quantity) ? length(value, units) : value;
   return String(Number(shown.toFixed(units === "inch" ? 5 : 4)));
 }
 
-/** null: it is no number; undefined: nothing is there. */
+/** Returns null if the text is not a number, undefined if it is empty. */
 export function numberOf(text: string, quantity: Quantity, units: Units): number | null | undefined {
   const plain = text.trim().replace(",", ".");
   if (plain === "") return undefined;
@@ -42,11 +42,11 @@ export function numberOf(text: string, quantity: Quantity, units: Units): number
 
 export interface Shown {
   value: number | undefined;
-  /** What counts where there is no value. */
+  /** Value that applies if the field is empty. */
   inherited?: number | undefined;
 }
 
-/** An input for a number; undefined, where it was emptied. */
+/** Input for a number; undefined if it was emptied. */
 export class NumberInput {
   readonly element: HTMLInputElement;
   private units: Units = "mm";
@@ -76,7 +76,7 @@ export class NumberInput {
     const unit = unitText(quantity, units);
     const name = unit ? `${label}, ${unit}` : label;
     input.setAttribute("aria-label", value === undefined && inherited !== undefined ? words.inherited(name, input.placeholder) : name);
-    // What is being typed stays, unless the document says something else by now.
+    // Text that is being typed stays, unless the document has another value by now.
     if (document.activeElement === input && text === this.text) return;
     this.text = text;
     input.value = text;
@@ -85,11 +85,11 @@ export class NumberInput {
   }
 }
 
-/** A name and what belongs to it, in a row. */
+/** Creates a row with a name and its parts. */
 export const row = (label: string, ...parts: (Node | string)[]): HTMLElement =>
   element("div", { class: "field" }, element("span", { class: "field-name" }, label), element("span", { class: "field-parts" }, ...parts));
 
-/** A number with its name and unit. */
+/** Number with its name and unit. */
 export class NumberRow {
   readonly element: HTMLElement;
   private readonly input: NumberInput;
@@ -139,7 +139,7 @@ export class NumbersRow {
   }
 }
 
-/** A choice of words, shown anew in place. */
+/** Choice between words, updated in place. */
 export class ChoiceRow<Value extends string> {
   readonly element: HTMLElement;
   private readonly select: HTMLSelectElement;
@@ -153,13 +153,13 @@ export class ChoiceRow<Value extends string> {
     this.select.value = value;
   }
 
-  /** Where what there is to choose changes. */
+  /** Sets new options and the value. */
   offer(options: readonly (readonly [Value, string])[], value: Value): void {
     offer(this.select, options, value);
   }
 }
 
-/** A line of text; what it holds is handed on when it is left. */
+/** Line of text; its value is passed on when the field is left. */
 export class TextRow {
   readonly element: HTMLElement;
   readonly input: HTMLInputElement;

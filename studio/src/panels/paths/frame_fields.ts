@@ -1,4 +1,4 @@
-// The work frame of a path, or of the use of one: the work offset, and where the program itself puts it.
+// Work frame of a path, or of its use: the work offset, and the position that the program itself sets for it.
 
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -14,7 +14,7 @@ type Origin = keyof typeof own.origins;
 
 interface FrameShown {
   frame: WorkFrame;
-  /** Which one counts where there is none of its own, in words. */
+  /** Frame that applies if the path sets none, in words. */
   inherited: string;
   units: Units;
 }
@@ -47,12 +47,12 @@ export class FrameFields {
     this.note.textContent = own.touches(probe_offset?.length ?? 0);
   }
 
-  /** Without a work offset there is nothing to be put anywhere. */
+  /** Without a work offset no position can be set. */
   private setOffset(name: string): void {
     this.change(name === "" ? { work_offset: undefined, set_offset_mm: undefined } : { work_offset: name });
   }
 
-  /** One that is emptied stays as it was. */
+  /** An emptied field keeps its value. */
   private setPlace(values: (number | undefined)[]): void {
     const before = this.at?.frame.set_offset_mm;
     if (!this.at || !before) return;

@@ -1,5 +1,5 @@
-// Paths by hand: a path file as a tree of paths, sub-paths and points, the properties of what is chosen, and the program that is
-// written from it.
+// Manual path editor: a path file as a tree of paths, sub-paths and points, the properties of the selection,
+// and the program that is written from it.
 
 import "./paths.css";
 import { choice, element } from "../../core/dom";
@@ -76,7 +76,7 @@ class PathsPanel {
     store.watch(["path", "units"], () => this.show());
     store.watch(["pathFile"], () => this.showFiles());
     session.documents.on((name) => {
-      // A name that is new belongs into the choice; what changes in a file does not.
+      // A new name must be in the list; other changes in a file do not affect it.
       if (!this.files.querySelector(`option[value="${CSS.escape(name)}"]`)) this.showFiles();
     });
     store.on("drawing", (name) => {
@@ -96,7 +96,7 @@ class PathsPanel {
     this.known.hidden();
   }
 
-  /** `table` is text in columns, which may be wider than the side. */
+  /** `table` is text in columns, which may be wider than the side panel. */
   private say(sentence: string, table = ""): void {
     this.said.replaceChildren(sentence, ...(table ? [element("pre", {}, table)] : []));
     this.said.hidden = sentence === "";
@@ -158,7 +158,7 @@ class PathsPanel {
     }
   }
 
-  /** A new file begins where the tool is. */
+  /** Creates a new file that begins at the tool. */
   private begin(): void {
     const point = pointOfRun(this.store);
     if (point) beginFile(this.store, this.session, { motion: "rapid", ...point });

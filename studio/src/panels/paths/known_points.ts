@@ -1,4 +1,4 @@
-// The fixed and reference points that the setup's machine data have, as the tab of the data knows them.
+// Fixed and reference points of the setup's machine data, as in the data tab.
 
 import type { Session } from "../../core/session";
 import { noPoints, type KnownPoint, type KnownPoints } from "../../run/path/machine_points";
@@ -24,12 +24,12 @@ export class KnownPointsOfSetup {
     });
   }
 
-  /** null: the data cannot be read. */
+  /** Returns null if the data cannot be read. */
   get points(): KnownPoints | null {
     return this.known;
   }
 
-  /** The file that they are of; empty: there is none. */
+  /** Returns the file of the points; empty: none. */
   get file(): string {
     return this.session.setup.machine_data;
   }
@@ -43,7 +43,7 @@ export class KnownPointsOfSetup {
     this.isShown = false;
   }
 
-  /** Asks again, but where what was asked last is the same. */
+  /** Requests the points again, unless the last request was the same. */
   private renew(last = ""): void {
     const { machine_data, machine, cell } = this.session.setup;
     const asked = [machine_data, machine, cell].join("\n");
@@ -56,7 +56,7 @@ export class KnownPointsOfSetup {
     const question = ++this.question;
     const { file } = this;
     const data = file ? (await askData(this.session, file, [])).data : null;
-    // A later question has the later points.
+    // A later request has the later points.
     if (question !== this.question) return;
     const found = data && { fixed: pointsOf(data.entries.FIXED), reference: pointsOf(data.entries.REFERENCE) };
     this.known = file ? found : noPoints;

@@ -1,4 +1,4 @@
-// Leads: what kind, how large, on which side, and whether in, out or both.
+// Leads: their kind, size and side, and whether they are in, out or both.
 
 import { check, element } from "../../core/dom";
 import type { Units } from "../../core/store";

@@ -1,4 +1,4 @@
-// The properties of a fixed or reference point: which one it is, and what is done there.
+// Properties of a fixed or reference point: its number or name, and the actions there.
 
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";
@@ -80,14 +80,14 @@ export class MachinePointForm {
     this.actions.show(target.actions ?? []);
   }
 
-  /** Why a point that machine data should have is not there. */
+  /** Returns why a point is missing that machine data should have. */
   private noteOf(kind: MachinePointKind, ident: string | number): string {
     const { file, points } = this.known;
     if (file === "") return own.noData;
     return points ? own.notThere(shortName(file), own.kinds[kind], ident) : own.unreadable(shortName(file));
   }
 
-  /** Another one than those that are offered is typed in. */
+  /** Sets a point; one that is not in the list is typed in. */
   private choose(value: string): void {
     if (value === "") this.ident.input.select();
     else this.setIdent(identFrom(value));
@@ -107,6 +107,6 @@ export class MachinePointForm {
   }
 }
 
-/** Keys tell what a target is: one that is taken away must not be there. */
+/** Removes undefined keys: keys define the kind of a target, so a removed one must not be present. */
 const withoutGone = (target: MachinePointChange): JsonValue =>
   Object.fromEntries(Object.entries(target).filter(([, value]) => value !== undefined)) as JsonValue;

@@ -1,4 +1,4 @@
-// How the tool stands at a point: as before, or by a direction, by angles, by the machine's rotary axes.
+// Orientation of the tool at a point: as before, or by a direction, by angles, by the machine's rotary axes.
 
 import { element } from "../../core/dom";
 import type { Chain } from "../../run/chain";
@@ -41,7 +41,7 @@ export class OrientationFields {
     });
   }
 
-  /** Letters of the axes whose values the point or those before it give, else of the machine's. */
+  /** Returns the letters of the axes that the point or those before it set, else those of the machine. */
   private letters(): string[] {
     const given = this.point?.rotary_deg ?? this.before.rotary_deg;
     if (given) return Object.keys(given);
@@ -84,7 +84,7 @@ export class OrientationFields {
     this.change({ ...noOrientation, rotary_deg: Object.fromEntries(all) });
   }
 
-  /** The orientation that holds is said in another way. */
+  /** Expresses the current orientation in another form. */
   private say(kind: Kind): void {
     const { point, before } = this;
     if (!point) return;

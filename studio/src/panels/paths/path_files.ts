@@ -9,20 +9,20 @@ import { texts } from "../../texts";
 
 const words = texts.paths;
 
-/** A name that no file has yet: "part 2.path.json". */
+/** Returns a name that no file has yet: "part 2.path.json". */
 export function freeFile(documents: Documents, stem: string): string {
   let name = `${stem}.path.json`;
   for (let i = 2; documents.exists(name); ++i) name = `${stem} ${i}.path.json`;
   return name;
 }
 
-/** Puts a path file by a step of the history, and works on it from now on. */
+/** Inserts a path file by a step of the history, and opens it for editing. */
 export function takeFile(store: Store, session: Session, label: string, name: string, text: string): void {
   session.history.edit(label, { documents: { [name]: text } });
   store.set("pathFile", name);
 }
 
-/** A file with one point, which is chosen. */
+/** Creates a file with one point, which is selected. */
 export function beginFile(store: Store, session: Session, point: Point): void {
   const name = freeFile(session.documents, words.file.part);
   takeFile(store, session, words.labels.begin, name, newPathFile(words.file.part, point));

@@ -1,4 +1,4 @@
-// The properties of a path, and of a place where one is used.
+// Properties of a path, and of a place that uses one.
 
 import { element } from "../../core/dom";
 import type { JsonValue } from "../../core/json_text";

@@ -1,4 +1,5 @@
-// The properties of a geometric point. What a point takes over from those before it stands in its fields in grey.
+// Properties of a geometric point. Values that a point takes over from those before it are shown in its
+// fields in grey.
 
 import { element } from "../../core/dom";
 import { editPath } from "../../core/path_desk";
@@ -34,7 +35,7 @@ const numbers: { key: NumberKey; quantity: Quantity; rare?: true }[] = [
   { key: "lead_mm", quantity: "per_turn", rare: true },
 ];
 
-/** A point as forms have it: what it is, where it is, and what holds before it. */
+/** Point as used by forms: its data, its position, and the state before it. */
 export interface PointShown {
   shown: PathShown;
   place: Place;
@@ -101,13 +102,13 @@ export class PointForm {
       const inherited = each.key in before ? before[each.key as keyof State] : undefined;
       this.numbers[i].show({ value: point[each.key], inherited: inherited as number | undefined }, units);
     });
-    // Other paths say it themselves.
+    // Other paths set the work offset themselves.
     this.offset.element.hidden = !isRecorded(shown.file) && point.work_offset === undefined;
     this.offset.show(point.work_offset ?? "", before.work_offset ?? "");
     this.actions.show(point.actions ?? []);
   }
 
-  /** Sets members of the point; what would make it none is refused in words. */
+  /** Sets members of the point; a change that makes it invalid is refused with a message. */
   private change(change: PointChange): void {
     if (!this.at) return;
     const { shown, place, point } = this.at;

@@ -1,4 +1,4 @@
-// A point where the tool of the run is at the instant that is shown, or where it is moved by hand.
+// Point at the position of the tool in the run at the shown instant, or at its position when moved by hand.
 
 import { Vector3 } from "three";
 import { robotOf } from "../../core/shown";
@@ -7,7 +7,7 @@ import type { Point } from "../../run/path/path_file";
 import { toolInWork } from "../../run/path/tool_direction";
 import { roundedVector, type Vector } from "../../run/path/vector";
 
-/** At the origin where nothing has run; null: where that is is not here yet. */
+/** Returns the origin if nothing has run, or null if the position is not loaded yet. */
 export function pointOfRun(store: Store): Pick<Point, "position_mm" | "tool_axis"> | null {
   const robot = robotOf(store);
   if (!robot) return { position_mm: [0, 0, 0] };

@@ -1,4 +1,4 @@
-// The round trip in words: how far the way of a run is from the path that its program was written from.
+// Round trip in words: the distance between the path of a run and the path that its program was written from.
 
 import { element } from "../../core/dom";
 import { robotOf } from "../../core/shown";
@@ -9,10 +9,10 @@ import type { Run } from "../../run/run";
 import { texts } from "../../texts";
 
 const words = texts.paths.roundTrip;
-/** More than how exactly ways are drawn, and than programs are rounded. */
+/** Distance above the accuracy of drawn paths, and above the rounding of programs. */
 const FAR_MM = 0.05;
 
-/** What a program was written from. */
+/** Path that a program was written from. */
 export interface Origin {
   path: string;
   text: string;
@@ -23,7 +23,7 @@ export class RoundTripNote {
   private readonly title = element("h3", { class: "heading" }, words.title);
   private readonly said = element("p", { class: "round-trip", role: "status" });
   private readonly button = element("button", { type: "button", onclick: () => this.measure() }, words.compare);
-  /** Of which run and path text the figures are. */
+  /** Run and path text of the values. */
   private of: { run: Run; text: string } | null = null;
   private figures: RoundTrip | null = null;
 
@@ -35,7 +35,7 @@ export class RoundTripNote {
     store.watch(["run", "running", "path"], () => this.show());
   }
 
-  /** Of a program that was written here, what it was written from; of another one this is not known. */
+  /** Shows the values. The path of a program is only known if it was written here. */
   show(): void {
     const { store } = this;
     const [run, shown] = [store.get("run"), store.get("path")];

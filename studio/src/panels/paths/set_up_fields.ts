@@ -1,4 +1,4 @@
-// What a path says of where it is and with what it works: its work frame and its tool.
+// Settings of a path for its position and tools: its work frame and its tool.
 
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -11,7 +11,10 @@ import { FrameFields } from "./frame_fields";
 
 const words = texts.paths.frame;
 
-/** Whether fields for frames and tools are of use: a recorded path takes none, but what it has could be taken away. */
+/**
+ * True if fields for frames and tools are useful: a recorded path takes none, but existing ones can be
+ * removed.
+ */
 export const takesSetUp = (file: PathFile, of: object): boolean => !isRecorded(file) || setUpKeys.some((key) => key in of);
 
 export class SetUpFields {
@@ -25,7 +28,7 @@ export class SetUpFields {
 
   constructor(change: (change: SetUpChange) => void) {
     this.frame = new FrameFields(change);
-    // Offsets go with the tool.
+    // Offsets are removed with the tool.
     this.tool = new NumberRow(words.tool, "none", (tool) =>
       change(tool === undefined ? { tool, length_offset: undefined, diameter_offset: undefined } : { tool }),
     );
@@ -43,7 +46,7 @@ export class SetUpFields {
     this.frame.show({ frame: own, inherited: rootOf(file) === path ? words.ofPost : words.ofUser, units });
     this.tool.show({ value: own.tool }, units);
     this.length.element.hidden = this.diameter.element.hidden = own.tool === undefined;
-    // The length offset of a tool has its number, unless another one is given.
+    // The length offset of a tool has the number of the tool, unless another one is given.
     this.length.show({ value: own.length_offset, inherited: own.tool }, units);
     this.diameter.show({ value: own.diameter_offset }, units);
   }

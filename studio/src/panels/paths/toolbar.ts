@@ -1,4 +1,4 @@
-// Buttons for what is done with the chosen points.
+// Buttons for actions on the chosen points.
 
 import { choice, element, offer } from "../../core/dom";
 import type { PathShown } from "../../core/path_shown";

@@ -1,5 +1,5 @@
-// The tree of a path file: paths, sub-paths and points. Arrows go among its rows and open them, with Shift more are chosen, with
-// Alt what is chosen moves; a row that is dragged goes to where it is dropped.
+// Tree of a path file: paths, sub-paths and points. Arrows move between its rows and open them, with Shift
+// they extend the selection, with Alt they move it; a dragged row moves to the row that it is dropped on.
 
 import { element } from "../../core/dom";
 import type { PathShown } from "../../core/path_shown";
@@ -14,9 +14,9 @@ const words = texts.paths.tree;
 
 /** What is done with what is chosen. */
 export interface TreeActions {
-  /** By so many places. */
+  /** Moves the selection by so many positions. */
   move(by: number): void;
-  /** To where another target stands. */
+  /** Moves the selection to the position of another target. */
   moveTo(place: Place): void;
   remove(): void;
   duplicate(): void;
@@ -26,7 +26,7 @@ export class PathTree {
   readonly element = element("div", { class: "tree", role: "tree", "aria-label": words.label, "aria-multiselectable": "true" });
   private readonly state = new TreeState();
   private rows: TreeRow[] = [];
-  /** The row that Tab comes to. */
+  /** Row that the Tab key reaches. */
   private current = 0;
   private name = "";
 
@@ -45,7 +45,7 @@ export class PathTree {
     tree.addEventListener("drop", (event) => this.dropped(event));
   }
 
-  /** Draws it anew; what has the focus keeps it, and goes along with what is chosen. */
+  /** Redraws the tree; the focus is kept, and follows the selection. */
   show(shown: PathShown | null): void {
     if (shown && shown.name !== this.name) this.begin(shown);
     this.name = shown?.name ?? "";
@@ -67,7 +67,7 @@ export class PathTree {
     if (item) this.bringToSight(item);
   }
 
-  /** Within the tree; the rest of the page stays where it is. */
+  /** Scrolls within the tree; the remainder of the page keeps its position. */
   private bringToSight(item: HTMLElement): void {
     const { element: tree } = this;
     const top = item.offsetTop - tree.offsetTop;
@@ -77,7 +77,7 @@ export class PathTree {
 
   private begin({ file, walk }: PathShown): void {
     this.current = 0;
-    // What is short is open.
+    // Short paths are open.
     file.paths.forEach((_, path) => {
       if (path === 0 || !walk.used.has(path)) this.state.set(String(path), true);
     });
@@ -105,7 +105,7 @@ export class PathTree {
     );
   }
 
-  /** Number, what it is, and what is done there. */
+  /** Returns number, kind and actions of a row. */
   private partsOf({ place, target, below }: TreeRow, { file, walk }: PathShown): string[] {
     if (!target) {
       const { name, targets } = file.paths[below];
@@ -161,7 +161,7 @@ export class PathTree {
     this.goTo(Math.min(at, this.rows.length - 1));
   }
 
-  /** Brings the focus to a row. */
+  /** Sets the focus to a row. */
   private goTo(i: number): void {
     const to = Math.min(Math.max(i, 0), this.rows.length - 1);
     [...this.element.children].forEach((item, k) => ((item as HTMLElement).tabIndex = k === to ? 0 : -1));
@@ -169,7 +169,7 @@ export class PathTree {
     (this.element.children[to] as HTMLElement | undefined)?.focus();
   }
 
-  /** To a row so many further, which is chosen. */
+  /** Moves by so many rows, and selects the new one. */
   private step(by: number, extended: boolean): void {
     this.goTo(this.current + by);
     const row = this.rows[this.current];
@@ -221,7 +221,7 @@ export class PathTree {
     event.dataTransfer.effectAllowed = "move";
   }
 
-  /** Where what is dragged could be dropped: beside targets of its own path. */
+  /** Returns the position for a drop: next to targets of the same path. */
   private dropPlace(event: DragEvent): Place | null {
     const row = this.rows[this.rowOf(event)];
     const { range } = this.choice;
@@ -233,7 +233,7 @@ export class PathTree {
     const place = this.dropPlace(event);
     if (!place) return;
     event.preventDefault();
-    // It is no file that is opened.
+    // The dropped row is not a file to open.
     event.stopPropagation();
     this.actions.moveTo(place);
   }

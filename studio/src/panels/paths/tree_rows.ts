@@ -1,4 +1,4 @@
-// The rows of the tree of a path file: the root, what it uses, and at the end the paths that nothing leads to.
+// Rows of the tree of a path file: the root, its sub-paths, and at the end the paths that nothing leads to.
 
 import type { PathShown } from "../../core/path_shown";
 import {
@@ -15,25 +15,25 @@ import {
 } from "../../run/path/path_file";
 
 export interface TreeRow {
-  /** The way to it: numbers of paths and targets. */
+  /** Position in the tree: numbers of paths and targets. */
   key: string;
   level: number;
   place: Place;
-  /** The path that is below it by its number; -1: a point, or a path that does not exist. */
+  /** Number of the path below it; -1: a point, or a path that does not exist. */
   below: number;
   open: boolean;
   /** Of a point. */
   motion: MotionType | null;
   target: Target | null;
-  /** How many targets before or behind those that are shown it stands for; 0: it is a target itself. */
+  /** Number of hidden targets before or after the shown ones that it represents; 0: it is a target itself. */
   more: number;
   fault: string;
 }
 
-/** Targets of a path that are shown at first, and more of them at a time. */
+/** Number of targets of a path that are shown at first, and that are added at a time. */
 const SHOWN = 200;
 
-/** From one target to before another. */
+/** Range of targets; the end is excluded. */
 interface Window {
   first: number;
   end: number;
@@ -52,18 +52,18 @@ export class TreeState {
     else this.open.delete(key);
   }
 
-  /** Which targets of a path are shown, by the key of its row. */
+  /** Returns the shown targets of a path, by the key of its row. */
   window(key: string): Window {
     return this.windows.get(key) ?? { first: 0, end: SHOWN };
   }
 
-  /** Shows more of them, beside the target that is the next one not shown. */
+  /** Shows more targets, next to the given one, which is the first hidden one. */
   widen(key: string, target: number): void {
     const { first, end } = this.window(key);
     this.windows.set(key, target < first ? { first: Math.max(first - SHOWN, 0), end } : { first, end: end + SHOWN });
   }
 
-  /** Shows a target, and those about it where it was not among those shown. */
+  /** Shows a target, with its neighbours if it was not shown. */
   reveal(key: string, target: number): void {
     const { first, end } = this.window(key);
     if (target >= first && target < end) return;
@@ -81,7 +81,7 @@ function* rowsBelow(shown: PathShown, state: TreeState, parent: TreeRow, faults:
     const place = { path: parent.below, target };
     return { ...plainRow, key: `${parent.key}/more`, level: parent.level + 1, place, more: count };
   };
-  // Targets that were taken out may leave a window behind the last one.
+  // After targets were removed, a window may begin past the last one.
   const begin = Math.min(first, Math.max(targets.length - SHOWN, 0));
   if (begin > 0) yield more(begin - 1, begin);
   for (let target = begin; target < Math.min(targets.length, end); ++target) {
@@ -93,7 +93,7 @@ function* rowsBelow(shown: PathShown, state: TreeState, parent: TreeRow, faults:
       yield { ...row, motion: isPoint(each) ? motionOf(each) : "rapid" };
       continue;
     }
-    // One that leads back to itself is not opened.
+    // A path that leads back to itself is not opened.
     const below = row.fault ? -1 : indexOfPath(shown.file, each.path);
     const sub = { ...row, below, open: below >= 0 && state.isOpen(key) };
     yield sub;
@@ -102,7 +102,7 @@ function* rowsBelow(shown: PathShown, state: TreeState, parent: TreeRow, faults:
   if (targets.length > end) yield more(end, targets.length - end);
 }
 
-/** All rows that are to be seen. */
+/** Returns all visible rows. */
 export function* rowsOf(shown: PathShown, state: TreeState): Generator<TreeRow> {
   const { file, walk } = shown;
   const faults = new Map(walk.faults.flatMap(({ place, text }) => (place ? [[keyOfPlace(place), text] as const] : [])));
@@ -118,7 +118,7 @@ export function* rowsOf(shown: PathShown, state: TreeState): Generator<TreeRow> 
   }
 }
 
-/** Opens what hides a place, on the first way to it. */
+/** Opens the rows that hide a place, along the first route to it. */
 export function reveal({ file, walk }: PathShown, state: TreeState, place: Place): void {
   const root = Math.max(rootOf(file), 0);
   const way = wayTo(file, root, place.path, []) ?? (walk.used.has(place.path) ? null : []);
@@ -138,7 +138,7 @@ function open(state: TreeState, key: string, target: number): void {
   state.reveal(key, target);
 }
 
-/** Numbers of the targets that lead from one path to another; null: none do. */
+/** Returns the numbers of the targets that lead from one path to another; null: none. */
 function wayTo(file: PathShown["file"], from: number, to: number, way: number[], seen = new Set<number>()): number[] | null {
   if (from === to) return way;
   if (seen.has(from)) return null;
@@ -154,5 +154,5 @@ function wayTo(file: PathShown["file"], from: number, to: number, way: number[],
   return null;
 }
 
-/** Whether a row stands for a place. */
+/** True if a row represents a place. */
 export const isRowOf = (row: TreeRow, place: Place | null): boolean => row.more === 0 && isSamePlace(row.place, place);

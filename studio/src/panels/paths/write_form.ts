@@ -1,4 +1,5 @@
-// Writes the path as a part program for a control, and shows its round trip: how far the way of the run is from the path.
+// Writes the path as a part program for a controller, and shows its round trip: the distance between the path
+// of the run and the given path.
 
 import { check, element } from "../../core/dom";
 import type { PathShown } from "../../core/path_shown";
@@ -33,7 +34,7 @@ const isPost = (text: string): boolean => /^\s*reads_as\s*=/m.test(text);
 /** "wheel" of "parts/wheel.path.json" */
 const stemOf = (name: string): string => name.replace(/(\.path)?\.json$/i, "").replace(/^samples\//, "");
 
-/** Beside another file. */
+/** Returns the name of a file in the same folder. */
 const beside = (name: string, file: string): string => name.slice(0, name.lastIndexOf("/") + 1) + file;
 
 export class WriteForm {
@@ -41,10 +42,10 @@ export class WriteForm {
   private choice = first;
   private units: Units = "mm";
   private path = "";
-  /** Empty: the name that follows from the path's. */
+  /** Name of the program; empty: derived from the path's name. */
   private name = "";
   private names: string[] = [];
-  /** Programs that were written here, and what of: their names and the texts of their paths. */
+  /** Programs that were written here, with the names and texts of their paths. */
   private readonly written = new Map<string, Origin>();
   private readonly post = new ChoiceRow<string>(words.post, [], (post) => this.set({ post }));
   private readonly program = new TextRow(words.program, (name) => {
@@ -91,21 +92,21 @@ export class WriteForm {
     this.show(this.store.get("path"), this.units);
   }
 
-  /** Asks which posts there are; once. */
+  /** Requests the list of posts, once. */
   async begin(): Promise<void> {
     if (this.names.length > 0) return;
     this.names = await posts(this.session);
     this.show(this.store.get("path"), this.units);
   }
 
-  /** Posts that are built in, and files that are some. */
+  /** Returns the built-in posts, and files that are posts. */
   private offered(): [string, string][] {
     const { documents } = this.session;
     const own = documents.ownNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
     return [...this.names, ...own].map((name) => [name, shortName(name)]);
   }
 
-  /** The language that programs of a post are read in. */
+  /** Returns the language for reading programs of a post. */
   private dialectOf(post: string): string {
     const { documents } = this.session;
     const text = documents.text(post.endsWith(".toml") ? post : `samples/posts/${post}.toml`);
@@ -117,7 +118,7 @@ export class WriteForm {
     return this.name || `${stemOf(this.path)}${ending}`;
   }
 
-  /** Whether a file would be replaced that was not written from this path. */
+  /** True if writing would replace a file that was not written from this path. */
   private get replaces(): boolean {
     const name = this.programName;
     return this.session.documents.get(name) !== undefined && this.written.get(name)?.path !== this.path;
@@ -156,7 +157,7 @@ export class WriteForm {
     this.show(this.store.get("path"), this.units);
   }
 
-  /** The program is the one to be run, and runs by itself. */
+  /** Stores the program as the one to run, and runs it. */
   private keep(name: string, dialect: string, { text, files }: WrittenProgram): void {
     const others = Object.entries(files).map(([file, content]) => [beside(name, file), content]);
     const documents = Object.fromEntries([[name, text], ...others]) as Record<string, string>;

@@ -1,4 +1,4 @@
-// What the tabs work with.
+// Data that the tabs use.
 
 import type { Store } from "../../core/store";
 import type { Report } from "../../run/report";
@@ -6,13 +6,13 @@ import type { Robot, Run } from "../../run/run";
 
 export interface Context {
   run: Run;
-  /** Its number, and itself; undefined where nothing has moved. */
+  /** Number of the robot, and the robot; undefined if nothing has moved. */
   index: number;
   robot: Robot | undefined;
   report: Report | null;
 }
 
-/** null: nothing has run. */
+/** Returns null if nothing has run. */
 export function contextOf(store: Store): Context | null {
   const run = store.get("run");
   if (!run) return null;
@@ -20,15 +20,18 @@ export function contextOf(store: Store): Context | null {
   return { run, index, robot: run.robots[index], report: run.reportOf(index) };
 }
 
-/** What a tab shows can be put into other tabs: the blocks that match some words. */
+/** Links from one tab to another: blocks that match some words. */
 export interface Links {
   showBlocks(filter: string): void;
 }
 
-/** A tab's content: drawn anew for each run, robot and unit, when it is looked at. */
+/** Content of a tab: redrawn for each run, robot and unit, while it is visible. */
 export interface Tab {
   element: HTMLElement;
   draw(context: Context): void;
-  /** Another run is shown, and this is not looked at: what a tab still held of the one before would fill the page's memory. */
+  /**
+   * Called when another run is shown and the tab is not visible: data of the previous run would fill the
+   * page's memory.
+   */
   forget?(): void;
 }

@@ -1,4 +1,4 @@
-// The results of a run: how it went, the slowest blocks, where the time goes, events, the run before.
+// Results of a run: its status, the slowest blocks, shares of time, events, the previous run.
 
 import "./results.css";
 import { choice, element } from "../../core/dom";
@@ -42,7 +42,7 @@ export function createResults(host: HTMLElement, store: Store): void {
 
   store.watch(["run", "robot"], () => {
     const run = store.get("run");
-    // The run before may have had more of them.
+    // The previous run may have had more robots.
     if (store.get("robot") >= (run?.robots.length ?? 0)) store.set("robot", 0);
     const options = (run?.robots ?? []).map(({ name }, i) => [String(i), name] as const);
     robots.hidden = options.length < 2;

@@ -1,4 +1,4 @@
-// A list of marks: where and when each is; choosing one goes there.
+// List of marks with position and time; a click on one jumps to it.
 
 import { element } from "../../core/dom";
 import { goTo } from "../../core/go";
@@ -36,7 +36,7 @@ const rowOf = (item: Item): HTMLElement =>
     element("span", { class: "mark-text" }, item.text),
   );
 
-/** The first of them, and a button for more. */
+/** Creates a list of the first items, and a button for more. */
 export function itemList(label: string, items: Item[], first: number): HTMLElement {
   const list = element("ul", { class: "rows", role: "listbox", "aria-label": label });
   const more = element("button", { class: "more", onclick: () => show(list.childElementCount + 10 * first) });
@@ -57,7 +57,7 @@ export function itemList(label: string, items: Item[], first: number): HTMLEleme
 
 const FIRST_IN_SECTION = 8;
 
-/** A list below a heading with how many there are. */
+/** Creates a list below a heading with the number of items. */
 export const section = (title: string, kind: string, items: Item[]): HTMLElement =>
   element(
     "section",

@@ -1,6 +1,9 @@
-// Rows that are one stop of the Tab key: arrows go among them, Enter chooses.
+// Rows that are one stop of the Tab key: arrows move between them, Enter selects.
 
-/** `rows` are children of `container`; `choose` gets the number of one. `keys` do something else than choosing. */
+/**
+ * `rows` are children of `container`; `choose` gets the number of the selected one. `keys` have other
+ * actions.
+ */
 export function makeRows(
   container: HTMLElement,
   choose: (row: number) => void,
@@ -43,7 +46,7 @@ export function makeRows(
   });
 }
 
-/** Makes the first of rows that have been put in the one that Tab comes to. */
+/** Makes the first of newly inserted rows the one that the Tab key reaches. */
 export function beginRows(container: HTMLElement): void {
   [...container.children].forEach((row, i) => ((row as HTMLElement).tabIndex = i === 0 ? 0 : -1));
 }

@@ -1,4 +1,4 @@
-// What came of a run, in a sentence, with the places of what went wrong.
+// Result of a run as a message, with the source locations of its errors.
 
 import { element } from "../../core/dom";
 import { goTo } from "../../core/go";
@@ -20,13 +20,13 @@ const toldItem = (told: Told, store: Store): Item => ({
   choose: () => goTo(store, { file: told.file || null, line: told.line || null }, null),
 });
 
-/** That nothing touches means little where nothing was looked at. */
+/** "No contact" means little if nothing was checked. */
 function touchingOf({ cell }: Report): string {
   const pairs = (cell?.looked_at?.pairs ?? 0) + (cell?.looked_at?.with_robots ?? 0);
   return pairs > 0 ? words.touchesNothing(pairs) : words.notLooked;
 }
 
-/** The sentence, and how bad it is. */
+/** Returns the message and its severity. */
 function sentenceOf(run: Run, report: Report | null): [text: string, severity: string] {
   if (run.failure) return [words.refused(run.failure.message), "error"];
   const status = run.report?.status;

@@ -1,11 +1,11 @@
-// A button that does its work again and again while it is held.
+// Button that repeats its action while it is held.
 
 import { element } from "../../core/dom";
 
 const FIRST_MS = 350;
 const NEXT_MS = 70;
 
-/** Work that takes its time is waited for before it is done again. */
+/** Waits for slow work before it is repeated. */
 export function holdButton(text: string, label: string, act: () => void | Promise<void>): HTMLButtonElement {
   let timer: ReturnType<typeof setTimeout> | null = null;
   let isHeld = false;
@@ -35,7 +35,7 @@ export function holdButton(text: string, label: string, act: () => void | Promis
       onpointerup: end,
       onpointercancel: end,
       onblur: end,
-      // By the keyboard, which repeats by itself.
+      // By keyboard, which repeats by itself.
       onclick: (event) => {
         if ((event as MouseEvent).detail === 0) void act();
       },

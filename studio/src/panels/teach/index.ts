@@ -1,4 +1,5 @@
-// The joint panel: joints and tip are moved by hand, points of a path are recorded where they stand, and gone to.
+// Joint panel: joints and TCP are moved by hand, points of a path are recorded at the current pose and
+// approached.
 
 import "./teach.css";
 import { Quaternion, Vector3 } from "three";
@@ -22,7 +23,7 @@ import { TipPad } from "./tip_pad";
 
 const words = texts.teach;
 const CHECK_MS = 150;
-/** With so many turning axes the tool's turn about itself can be told. */
+/** With so many rotary axes the rotation of the tool about its own axis can be set. */
 const FREE = 3;
 
 class TeachPanel {
@@ -116,13 +117,16 @@ class TeachPanel {
   }
 
   private step(axis: number, sense: 1 | -1): void {
-    // A button that is held goes on until it is let go of, also when the joints have gone from under it.
+    // A held button continues until its release, even if the joints have disappeared meanwhile.
     if (this.state.values.length === 0) return;
     const by = this.state.axes[axis].rotary ? this.steps.step_deg : this.steps.step_mm;
     this.set(axis, this.state.values[axis] + sense * by);
   }
 
-  /** The engine's answer about the machine as it stands; null: by then it is another one, stands elsewhere or is not shown. */
+  /**
+   * Returns the engine's result for the current pose; null if the machine has changed, has moved or is not
+   * shown any more.
+   */
   private async ask(wanted: PoseWanted): Promise<Pose | string | null> {
     const { robot } = this.state;
     const jog = this.store.get("jog");
@@ -131,7 +135,7 @@ class TeachPanel {
     return this.state.robot === robot && this.store.get("jog") === jog ? pose : null;
   }
 
-  /** What touches where the machine stands. */
+  /** Checks for contacts at the current pose. */
   private async check(): Promise<void> {
     const { values } = this.state;
     if (!this.isShown || values.length === 0) return;
@@ -143,7 +147,10 @@ class TeachPanel {
     this.touches = touches;
   }
 
-  /** To where the engine says that the tip is so; where it cannot be, a sentence says why, and nothing moves. */
+  /**
+   * Moves to the joints that the engine returns for the TCP pose; if it is not possible, a message says why,
+   * and nothing moves.
+   */
   private async goBy(wanted: PoseWanted): Promise<void> {
     const { robot } = this.state;
     const pose = await this.ask(wanted);

@@ -1,4 +1,4 @@
-// The joints as they are moved by hand, in place of those of the run.
+// Joints as moved by hand, in place of those of the run.
 
 import { Vector3, type Matrix4 } from "three";
 import { robotOf } from "../../core/shown";
@@ -8,14 +8,14 @@ import { toolInWork } from "../../run/path/tool_direction";
 import type { Robot } from "../../run/run";
 import type { Axis } from "../../run/scene";
 
-/** Lowest and highest value of an axis, mm or deg. */
+/** Returns the lowest and highest value of an axis, mm or deg. */
 export const rangeOf = ({ min, max }: Axis): [number, number] => [min ?? -Infinity, max ?? Infinity];
 export const clamped = (value: number, axis: Axis): number => Math.min(Math.max(value, rangeOf(axis)[0]), rangeOf(axis)[1]);
 
 export class JogState {
-  /** While the form is not looked at. */
+  /** Joints kept while the form is not visible. */
   private kept: ArrayLike<number> | null = null;
-  /** The machine that joints were moved of. */
+  /** Machine that the moved joints belong to. */
   private machine = "";
   private isLookedAt = false;
 
@@ -33,7 +33,7 @@ export class JogState {
     return joints !== null && joints.length === this.axes.length && joints.length > 0;
   }
 
-  /** The form is looked at: joints are where they were left, else where the run has them. */
+  /** Called when the form becomes visible: restores the last joints, else takes those of the run. */
   begin(): void {
     this.isLookedAt = true;
     const now = this.store.get("jog") ?? this.kept;
@@ -51,7 +51,7 @@ export class JogState {
     this.store.set("jog", null);
   }
 
-  /** As at the instant that is shown; where that is not here yet, when it is. */
+  /** Takes the joints at the shown instant, as soon as they are loaded. */
   fromRun(): void {
     const { robot } = this;
     const t_s = this.store.get("time_s");
@@ -63,7 +63,7 @@ export class JogState {
     });
   }
 
-  /** Values of all axes, mm and deg. */
+  /** Returns the values of all axes, mm and deg. */
   get values(): number[] {
     const joints = this.store.get("jog");
     return this.fits(joints) ? this.axes.map((axis, i) => axisValue(axis, joints[i])) : [];
@@ -73,25 +73,31 @@ export class JogState {
     this.store.set("jog", this.axes.map((axis, i) => jointValue(axis, values[i])));
   }
 
-  /** Puts one axis to a value, or to the end of its range before it. Returns whether it is the value. */
+  /** Sets one axis to a value, or to the nearest end of its range. Returns true if the value was reached. */
   setValue(axis: number, value: number): boolean {
     const within = clamped(value, this.axes[axis]);
     this.setValues(this.values.map((each, i) => (i === axis ? within : each)));
     return within === value;
   }
 
-  /** From the tool centre point to the tip in use, in the frame of the tool; while that is not here, to the first. */
+  /**
+   * Returns the vector from the tool centre point (without tool offset) to the TCP in use, in the tool frame;
+   * while that is not loaded, to the first TCP.
+   */
   private get tip(): Vector3 {
     const { robot } = this;
     return new Vector3(...(robot?.scene.tips_mm[robot.tip_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
   }
 
-  /** How far the tip is from the tool centre point along the tool, as the engine counts it. */
+  /**
+   * Returns the distance from the tool centre point (without tool offset) to the TCP along the tool, as the
+   * engine counts it.
+   */
   get tool_mm(): number {
     return -this.tip.z;
   }
 
-  /** The frame of the tip in that of the work; null: there is no machine. */
+  /** Returns the frame of the TCP in that of the work, or null without a machine. */
   get frame(): Matrix4 | null {
     const [joints, { robot }] = [this.store.get("jog"), this];
     if (!robot || !this.fits(joints)) return null;

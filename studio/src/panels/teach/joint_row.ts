@@ -1,4 +1,4 @@
-// One joint: a slider between the ends of its range, its value, and two buttons that move it by a step.
+// One joint: a slider over its range, its value, and two buttons that move it by a step.
 
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
@@ -10,9 +10,9 @@ import { holdButton } from "./hold_button";
 import { rangeOf } from "./jog_state";
 
 const words = texts.teach;
-/** Of an axis without ends: as far as its slider goes from where it is. */
+/** Range of the slider on both sides of the current value, for an axis without ends. */
 const FAR = { mm: 1000, deg: 360 };
-/** Nearer to an end than this share of the range is near. */
+/** Share of the range; a value closer to an end than this counts as near. */
 const NEAR = 0.05;
 
 export interface JointEvents {
@@ -73,7 +73,7 @@ export class JointRow {
   private setSlider(value: number, low: number, high: number): void {
     const { slider, axis } = this;
     const far = axis.rotary ? FAR.deg : FAR.mm;
-    // An axis without ends: the slider is laid anew where it has gone beyond it.
+    // For an axis without ends, the slider is centred again after the value has left its range.
     if (!(Math.abs(value - this.middle) < far)) this.middle = value;
     slider.min = String(Number.isFinite(low) ? low : this.middle - far);
     slider.max = String(Number.isFinite(high) ? high : this.middle + far);

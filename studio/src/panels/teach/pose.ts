@@ -1,4 +1,4 @@
-// What the engine knows of a pose of the machine: the joints that lead to a tip, and what touches there.
+// Engine data about a pose of the machine: the joints for a TCP, and the contacts there.
 
 import type { Session } from "../../core/session";
 
@@ -8,7 +8,7 @@ export interface Pose {
   tip_mm: number[];
   tool_axis: number[];
   rpy_deg: number[];
-  /** For each axis -1, 0 or 1: below, within, above its range. */
+  /** -1, 0 or 1 for each axis: below, within, above its range. */
   beyond: number[];
   collisions: [string, string][];
 }
@@ -17,7 +17,7 @@ export type PoseWanted =
   | { joints: readonly number[] }
   | { tip_mm: readonly number[]; tool_axis?: readonly number[]; rpy_deg?: readonly number[]; near: readonly number[] };
 
-/** A sentence where there is no such pose. */
+/** Returns a message if such a pose does not exist. */
 export async function poseOf(session: Session, wanted: PoseWanted, tool_mm: number): Promise<Pose | string> {
   const { machine, machine_data, cell } = session.setup;
   const { ok, message, messages } = await session.question({ do: "pose", machine, machine_data, cell, ...wanted, tool_mm });

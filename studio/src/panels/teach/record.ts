@@ -1,4 +1,5 @@
-// Points of the path by the machine: what stands there is recorded behind the chosen point, and the machine goes to points.
+// Points of the path by the machine: the current pose is recorded after the chosen point, and the machine
+// moves to points.
 
 import { element } from "../../core/dom";
 import { baseName } from "../../core/kinds";
@@ -17,11 +18,11 @@ import { pointOfRun } from "../paths/point_of_run";
 
 const words = texts.teach;
 type Kind = "tool_axis" | "rotary_deg" | "inherited";
-/** Where neither a person nor the path says a feed. */
+/** Default if neither the user nor the path sets a feed. */
 const FEED_MM_MIN = 1000;
 
 export interface RecordEvents {
-  /** The machine goes to a point, with what holds there. */
+  /** Moves the machine to a point, with the state there. */
   goTo(point: Point, state: State): void;
   say(sentence: string): void;
 }
@@ -85,7 +86,7 @@ export class Recording {
     return this.turns ? this.wanted : "inherited";
   }
 
-  /** What holds at a point of the path; nothing where none is chosen. */
+  /** Returns the state at a point of the path; an empty state without a chosen one. */
   private stateAt(place: Place | null): State {
     const shown = this.store.get("path");
     const target = shown && place ? targetAt(shown.file, place) : undefined;
@@ -132,7 +133,7 @@ export class Recording {
     this.on.goTo(found.point, this.stateAt(found.place));
   }
 
-  /** The orientation as it is to be recorded. */
+  /** Returns the orientation as it is to be recorded. */
   private orientation(tool_axis: Point["tool_axis"]): Pick<Point, "tool_axis" | "rotary_deg"> {
     if (this.kind === "tool_axis") return { tool_axis };
     if (this.kind === "inherited") return {};
@@ -146,7 +147,7 @@ export class Recording {
     const { position_mm, tool_axis } = here;
     const { motion } = this;
     const before = this.stateAt(this.store.get("pathPoint"));
-    // A feed is said where it is another one than before.
+    // A feed is written if it differs from the previous one.
     const feed_mm_min = motion === "rapid" ? undefined : (this.feed_mm_min ?? (before.feed_mm_min === undefined ? FEED_MM_MIN : undefined));
     const point = { motion, position_mm, ...this.orientation(tool_axis), feed_mm_min: feed_mm_min === before.feed_mm_min ? undefined : feed_mm_min };
     if (this.store.get("path")) this.actions.addPoint(point, words.labels.record);

@@ -1,4 +1,4 @@
-// How far a press of a button goes: a length and an angle.
+// Step of one press of a button: a length and an angle.
 
 import { element, choice, offer } from "../../core/dom";
 import type { Units } from "../../core/store";

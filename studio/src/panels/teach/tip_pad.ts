@@ -1,4 +1,4 @@
-// The tip: where it is in the frame of the work, how the tool stands, and buttons that move and turn it.
+// TCP: its position in the work frame, the orientation of the tool, and buttons that move and turn it.
 
 import { Quaternion, type Matrix4 } from "three";
 import { element } from "../../core/dom";
@@ -11,13 +11,13 @@ import { holdButton } from "./hold_button";
 const words = texts.teach;
 const XYZ = ["X", "Y", "Z"] as const;
 
-/** Without a sign before nothing. */
+/** Formats a number, without a sign before zero. */
 const fixed = (value: number, digits: number): string => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
 export interface TipEvents {
-  /** Along an axis of the work by a step. */
+  /** Moves along an axis of the work by a step. */
   move(axis: number, sense: 1 | -1): Promise<void>;
-  /** About an axis of the work, through the tip. */
+  /** Turns about an axis of the work, through the TCP. */
   turn(axis: number, sense: 1 | -1): Promise<void>;
 }
 
@@ -53,7 +53,7 @@ export class TipPad {
     this.element = element("div", { class: "tip-pad" }, element("table", {}, element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...rows)), angles);
   }
 
-  /** `isAble`: by the engine; `turns`: the machine can turn the tool. */
+  /** `isAble`: the engine can move the TCP; `turns`: the machine can turn the tool. */
   show(frame: Matrix4, units: Units, isAble: boolean, turns: boolean): void {
     const [, , , , , , , , zx, zy, zz, , x, y, z] = frame.elements;
     const rpy = rpyOf(new Quaternion().setFromRotationMatrix(frame));

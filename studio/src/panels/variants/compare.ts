@@ -1,4 +1,4 @@
-// Two variants against each other: which is faster, and where; both machines on one clock.
+// Comparison of two variants: which one is faster, and at which lines; both machines on one clock.
 
 import { check, choice, element, offer } from "../../core/dom";
 import { Debounced } from "../../core/debounced";
@@ -20,7 +20,7 @@ const words = texts.variants;
 const FIRST = 200;
 const TYPING_PAUSE_MS = 150;
 
-/** A variant whose figures are of what is now. */
+/** Variant with current results. */
 interface Fresh {
   variant: Variant;
   standing: Standing;
@@ -46,7 +46,7 @@ export class Compare {
   private chosen: [string, string] = ["", ""];
   private listed: readonly Listed[] = [];
   private pair: [Fresh, Fresh] | null = null;
-  /** What the differences are of, as a text. */
+  /** Inputs of the differences, as a text. */
   private compared = "";
   private differences: Differences | null = null;
   private most = FIRST;
@@ -76,7 +76,7 @@ export class Compare {
     store.watch(["beside"], () => (this.both.box.checked = store.get("beside") !== null));
   }
 
-  /** What there is to compare is another by now. */
+  /** Called when the list of variants has changed. */
   show(listed: readonly Listed[]): void {
     this.listed = listed;
     this.draw();
@@ -146,7 +146,10 @@ export class Compare {
     this.more.textContent = texts.panels.more(Math.min(most, count - rows.length));
   }
 
-  /** The page shows the first of both; of a block that the second alone has, that one, where both are not on one clock. */
+  /**
+   * Selects the row in the page, which shows the first of both. If only the second has the block, selects
+   * that one, unless both are on one clock.
+   */
   private goToRow(a: number, b: number): void {
     const { pair, store } = this;
     if (!pair) return;
@@ -172,7 +175,7 @@ export class Compare {
   private showBeside(on: boolean): void {
     const { pair, store } = this;
     if (!on || !pair) return store.set("beside", null);
-    // The first one's run comes into the page, which would end what is there already.
+    // The run of the first variant is shown, which would otherwise end the comparison view.
     this.shows = true;
     this.shown(pair[0]);
     this.shows = false;
@@ -182,7 +185,7 @@ export class Compare {
     if (from && starts_s) store.set("time_s", Math.min(...starts_s));
   }
 
-  /** Both stand beside each other as long as they are those that were chosen, and of what is now. */
+  /** Keeps both in the view while they are the chosen ones and current. */
   private keepBeside(): void {
     const { store, pair } = this;
     const beside = store.get("beside");

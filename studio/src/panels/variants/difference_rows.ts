@@ -1,4 +1,4 @@
-// Blocks of two runs whose times differ, in a table.
+// Blocks of two runs with different times, in a table.
 
 import { element } from "../../core/dom";
 import { timeText } from "../../core/units";
@@ -16,7 +16,7 @@ export class DifferenceRows {
   private readonly body = element("tbody");
   private rows: Row[] = [];
 
-  /** `choose` gets a row's blocks, by number in each run; -1: it has none. */
+  /** `choose` gets the blocks of a row, by number in each run; -1: none. */
   constructor(choose: (a: number, b: number) => void) {
     const caption = element("caption", { class: "unseen" }, words.rows);
     this.element = element("table", { class: "differences" }, caption, element("thead", {}, this.head), this.body);

@@ -1,4 +1,4 @@
-// What a variant is made of: a field for each part of its set-up.
+// Parts of a variant: a field for each part of its setup.
 
 import { check, choice, element, offer } from "../../core/dom";
 import { dialectOfName, namesOfKind, shortName } from "../../core/kinds";
@@ -12,20 +12,20 @@ import { fromText } from "./words";
 const words = texts.variants;
 
 export interface FieldEvents {
-  /** Returns whether it can be called so. */
+  /** Returns true if the name is possible. */
   rename(name: string): boolean;
   change(what: string, setup: Partial<Setup>): void;
-  /** Its times count from the start again. */
+  /** Resets the start of its times to the start of the program. */
   fromStart(): void;
 }
 
-/** A field, and what brings it up to date. */
+/** Field, and its update function. */
 interface Field {
   element: HTMLElement;
   show(variant: Variant): void;
 }
 
-/** What is being typed stays, unless there is another value by now. */
+/** Shows a value. Text that is being typed stays, unless the value has changed meanwhile. */
 function showValue(input: HTMLInputElement, value: string): void {
   if (input.dataset.shown === value) return;
   input.value = input.dataset.shown = value;
@@ -72,7 +72,7 @@ export class Fields {
     return { element: row(words.of.name, input), show: ({ name }) => showValue(input, name) };
   }
 
-  /** What cannot be is as it was. */
+  /** Renames the variant; reverts an invalid name. */
   private rename(input: HTMLInputElement): void {
     if (!this.events.rename(input.value.trim())) input.value = input.dataset.shown ?? "";
   }
@@ -80,7 +80,7 @@ export class Fields {
   private choice(key: (typeof fileKeys)[number] | "controller" | "dialect", options: () => [string, string][]): Field {
     const label = words.of[key];
     const select = choice(label, [], "", (value) => {
-      // A program brings its language along, by its name.
+      // A program sets its language, by its name.
       const setup = key === "program" ? { program: value, dialect: dialectOfName(value) } : { [key]: value };
       this.events.change(label, setup);
     });

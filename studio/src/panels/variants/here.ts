@@ -1,5 +1,5 @@
-// A block of the run that is shown, by the line that is chosen: what is in force there, where the machine stands, and a variant
-// whose times count from there on.
+// Block of the shown run, by the chosen line: modal state and machine position there, and a variant with
+// times from there on.
 
 import { Vector3 } from "three";
 import { choice, element } from "../../core/dom";
@@ -17,16 +17,16 @@ import type { From } from "./data/variants_file";
 
 const words = texts.variants.here;
 
-/** Lines that are run more often are offered by what is near the chosen one. */
+/** Limit on offered passes; of lines with more passes, those near the chosen one are offered. */
 const MOST_PASSES = 500;
 
-/** The tip in use, in the frame of the work, mm. */
+/** Returns the TCP in use, in the work frame, mm. */
 function tipInWork(robot: Robot, t_s: number): Vector3 {
   const tip = new Vector3(...(robot.scene.tips_mm[robot.tip_at(t_s)!] ?? [0, 0, 0]));
   return tip.applyMatrix4(toolInWork(robot.chain, robot.joints_at(t_s)!, t_s));
 }
 
-/** Each with what a person reads; of a run that is here as a whole. */
+/** Returns names and values for the user; for a run that is completely loaded. */
 function factsOf(robot: Robot, block: number, units: State["units"]): [string, string][] {
   const { start_s, first } = robot.blocks.get(block);
   const info = robot.segments.info(first)!;
@@ -62,7 +62,7 @@ export class Here {
     this.element = element("section", { class: "variant-here" }, title, this.place, this.passes, this.facts, this.modal, this.make);
   }
 
-  /** The block that is chosen, or of the line that is chosen the one at the instant that is shown; -1: there is none. */
+  /** Returns the chosen block, or for a chosen line its block at the shown instant; -1: none. */
   private get block(): number {
     const selection = this.store.get("selection");
     const robot = robotOf(this.store);
@@ -100,7 +100,7 @@ export class Here {
     );
   }
 
-  /** Comes into sight, with what can be done there. */
+  /** Scrolls the form into view, with its actions. */
   reveal(): void {
     this.show();
     this.element.scrollIntoView({ block: "nearest" });

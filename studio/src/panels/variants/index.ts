@@ -1,4 +1,4 @@
-// Variants: set-ups of the same work, run and compared with each other.
+// Variants: setups of the same work, run and compared with each other.
 
 import "./variants.css";
 import { element, offer, choice } from "../../core/dom";
@@ -25,7 +25,7 @@ import { VariantList, type Listed } from "./list";
 const words = texts.variants;
 const FIRST_MARKS = 8;
 
-/** What went wrong, and no more than that. */
+/** Errors only, without other marks. */
 const FAULTS: readonly string[] = ["alarm", "collision", "violation", "zone"];
 
 const button = (text: string, title: string, act: () => void): HTMLButtonElement =>
@@ -94,7 +94,7 @@ class VariantsPanel implements Form {
     session.on(renew);
     for (const key of ["variantsFile", "robot", "units"] as const) store.on(key, renew);
     store.on("run", (run) => {
-      // The page's own run of a variant's set-up is that variant's, too.
+      // The page's own run counts for a variant with the same setup.
       const setup = run && session.origin(run)?.setup;
       if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.take(run);
       renew();
@@ -124,7 +124,7 @@ class VariantsPanel implements Form {
     return this.listed[this.chosen]?.variant;
   }
 
-  /** What is not looked at is not worked out, but for what is shown in the view. */
+  /** Redraws only visible parts, and the data that the view shows. */
   private draw(): void {
     if (!this.isShown && this.store.get("beside") === null) return;
     const read = this.file.read();
@@ -193,7 +193,7 @@ class VariantsPanel implements Form {
     this.showChosen();
   }
 
-  /** The last one is the one that is chosen. */
+  /** Adds a variant at the end and selects it. */
   private append(label: (name: string) => string, variant: Variant): void {
     const { fault } = this.file.read();
     if (fault) return this.store.set("notice", words.unreadable(shortName(this.file.name), fault));
@@ -222,7 +222,7 @@ class VariantsPanel implements Form {
   private fromHere(from: From): void {
     const run = this.store.get("run")!;
     const setup: Readonly<Setup> = this.session.origin(run)?.setup ?? this.session.setup;
-    // Lines of an earlier text are others by now.
+    // Lines of an earlier text may have moved.
     const changed = this.session.changedSince(run);
     if (changed.length > 0) return this.store.set("notice", words.here.changed(changed.map(shortName)));
     this.results.take(run);
@@ -260,7 +260,7 @@ class VariantsPanel implements Form {
     if (!this.file.isNew) void this.session.save(this.file.name);
   }
 
-  /** Those whose figures are not of what is now. */
+  /** Returns the variants with results that are not current. */
   private get stale(): Variant[] {
     return this.listed.filter(({ standing }) => !isFresh(standing) && standing.is !== "failed").map(({ variant }) => variant);
   }

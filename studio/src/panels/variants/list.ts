@@ -1,4 +1,4 @@
-// The variants in a table: how long each takes, and what came of it.
+// Variants in a table: the time of each, and the result.
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
@@ -55,7 +55,7 @@ export class VariantList {
   }
 }
 
-/** Only where both came to their ends and count from the same place. */
+/** Returns the difference only if both came to their ends and count from the same position. */
 function againstFirst(one: Listed, first: Listed, robot: number): string {
   if (one.variant === first.variant || one.standing.is !== "done" || first.standing.is !== "done") return "";
   const { from } = one.variant;

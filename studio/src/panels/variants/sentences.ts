@@ -1,4 +1,4 @@
-// Which of two variants is faster, and where, in sentences; and what has to be known with it.
+// Comparison of two variants in messages: the faster one, the lines with the difference, and notes.
 
 import { limitText } from "../../core/names";
 import { percentText, timeText } from "../../core/units";
@@ -17,7 +17,7 @@ interface Named {
   names: readonly [string, string];
 }
 
-/** "speed of B" in a run, or nothing where it does not have the block. */
+/** Returns "speed of B" for a run, or an empty text if it does not have the block. */
 export function limitIn(differences: Differences, side: 0 | 1, block: number): string {
   if (block < 0) return "";
   const { robot } = side === 0 ? differences.a : differences.b;
@@ -28,7 +28,10 @@ export const passText = ({ pass, passes }: Row): string => (passes > 1 ? `, ${wo
 
 const stoppedOf = ({ differences: { a, b } }: Named): boolean => !isWhole(a.run) || !isWhole(b.run);
 
-/** The total, then where the most of it is. Nothing where a run did not come to its end, or not to where both count from. */
+/**
+ * Returns the total, then its largest part. Empty if a run did not come to its end, or did not reach the
+ * start of the count.
+ */
 export function sentencesOf(named: Named): string[] {
   const { differences, names } = named;
   const { totals_s, total_s, from, isReached } = differences;
@@ -46,7 +49,7 @@ function foremostOf(differences: Differences): string[] {
   const rows = differences.foremost(FOREMOST);
   if (rows.length === 0) return [];
   const size_s = ({ times_s }: Row) => times_s[1] - times_s[0];
-  // What limits the one that is slower there is what makes it so.
+  // The limit of the slower run is the cause of the difference.
   const limitOf = ({ blocks }: Row) => limitIn(differences, differences.total_s < 0 ? 0 : 1, blocks[differences.total_s < 0 ? 0 : 1]);
   const places = rows.map((row) => words.place(row.line, passText(row), signed(size_s(row)), limitOf(row))).join(", ");
   const together_s = rows.reduce((sum, row) => sum + size_s(row), 0);
@@ -58,7 +61,7 @@ function betweenOf({ total_s, inBlocks_s }: Differences): string[] {
   return Math.abs(between_s) < SAME_S ? [] : [words.between(signed(between_s))];
 }
 
-/** What both are not the same work by, or what their times are not. */
+/** Returns notes on differences of the work, and on times that are not comparable. */
 export function notesOf({ differences, names }: Named): string[] {
   const { a, b, from, begins, matching } = differences;
   const never = from ? begins.flatMap((begin, i) => (begin < 0 ? [`“${names[i]}” ${words.neverThere(from.line)}.`] : [])) : [];

@@ -1,4 +1,4 @@
-// What is said of variants in several places.
+// Words about variants that several modules use.
 
 import { shortName } from "../../core/kinds";
 import { emptySetup, overrideKeys, type Setup } from "../../core/setup";
@@ -16,7 +16,10 @@ export const signed = (difference_s: number): string => `${difference_s < 0 ? "â
 
 export const fromText = ({ line, pass }: From): string => words.from(line, pass);
 
-/** How a set-up differs from another one, in few words; of that one itself how it differs from none. */
+/**
+ * Returns the differences of a setup from another one, in few words; for that one itself, its differences
+ * from an empty one.
+ */
 function setupText(setup: Readonly<Setup>, first: Readonly<Setup>): string[] {
   const base = setup === first ? emptySetup() : first;
   const said: string[] = [];
@@ -30,13 +33,13 @@ function setupText(setup: Readonly<Setup>, first: Readonly<Setup>): string[] {
   return said;
 }
 
-/** What tells a variant apart from the first one. */
+/** Returns the differences of a variant from the first one. */
 export function variantText({ setup, from }: Variant, first: Variant): string {
   const said = [...setupText(setup, first.setup), ...(from ? [fromText(from)] : [])];
   return said.join(", ") || words.as;
 }
 
-/** What came of a run, and how bad it is. */
+/** Returns the status of a run and its severity. */
 export function standingText(standing: Standing): [text: string, severity: "" | "error" | "good"] {
   switch (standing.is) {
     case "none":
@@ -62,7 +65,7 @@ function faultsText(run: Run, stopped: boolean): [string, "error" | "good"] {
   return said.length > 0 ? [said.join(", "), "error"] : [words.standing.good, "good"];
 }
 
-/** From where a variant counts to the end of its run, s; null: it never comes there. */
+/** Returns the time from the start of the count to the end of the run, s; null: the run never reaches it. */
 export function countedTime_s(run: Run, from: From | null, robot: number): number | null {
   const machine = run.robots[robot] ?? run.robots[0];
   if (!from) return run.end_s;
@@ -70,7 +73,7 @@ export function countedTime_s(run: Run, from: From | null, robot: number): numbe
   return block < 0 ? null : run.end_s - machine.blocks.start_s(block);
 }
 
-/** The time of a run that has figures, and what has to be known with it. */
+/** Returns the time of a run with results, and a note on it. */
 export function timeOfRun(run: Run, from: From | null, robot: number, stopped: boolean): [text: string, note: string] {
   if (stopped) return [words.stoppedAt(timeText(run.end_s)), ""];
   const counted_s = countedTime_s(run, from, robot);

@@ -1,4 +1,5 @@
-// Leads: ways through the waste that run into the first cut of a contour along its tangent, and out behind its last one.
+// Leads: paths through the waste that enter the first cut of a contour along its tangent, and leave after its
+// last one.
 
 import { texts } from "../../texts";
 import { directionOfArc } from "./path_arc";
@@ -11,9 +12,9 @@ export interface LeadChoice {
   kind: "arc" | "line";
   /** Radius of the arc, a quarter circle; length of the line. */
   size_mm: number;
-  /** Of the line: from the way of the cut, 0 to 90. */
+  /** Angle of the line from the direction of the cut, 0 to 90. */
   angle_deg: number;
-  /** Of the cut, seen along its way, with the tool upright. */
+  /** Side of the cut, seen along its direction, with the tool upright. */
   side: "left" | "right";
   into: boolean;
   out: boolean;
@@ -26,13 +27,13 @@ const RAD = Math.PI / 180;
 const directionAt = (motion: Motion, share: number): Vector | null =>
   motion.arc ? directionOfArc(motion.arc, share) : unit(subtract(motion.to_mm, motion.from_mm!));
 
-/** The direction from the tip to what holds the tool, where the path says it by a direction. */
+/** Returns the direction from the TCP to the tool holder, if the path defines it by a direction. */
 export const upOf = ({ tool_axis }: State): Vector => (tool_axis && unit(tool_axis)) ?? [0, 0, 1];
 
 const isCut = (motion: Motion): boolean =>
   !motion.rapid && motion.from_mm !== null && (motion.arc !== null || distance(motion.from_mm, motion.to_mm) > NEAR_MM);
 
-/** From the end of the cut outwards: `sense` is -1 for what leads into it, 1 for what leads out. */
+/** Returns the outer end of a lead: `sense` is -1 for a lead-in, 1 for a lead-out. */
 function endOfLead(at: Vector, along: Vector, aside: Vector, choice: LeadChoice, sense: 1 | -1): Vector {
   const { kind, size_mm, angle_deg } = choice;
   const forward = kind === "arc" ? 1 : Math.cos(angle_deg * RAD);
@@ -46,7 +47,7 @@ function motionOfLead(to: Vector, at: Vector, along: Vector, aside: Vector, { ki
   return { motion: "circular", position_mm: to, center_mm, normal: roundedVector(cross(along, aside)), turn_deg: 90 };
 }
 
-/** Whether a target stands at a place, or over it along the tool. */
+/** True if a target is at a position, or above it along the tool. */
 function standsOver(target: Target | undefined, at: Vector, up: Vector): target is Point {
   if (!target || !isPoint(target)) return false;
   const off = subtract(target.position_mm, at);
@@ -71,7 +72,7 @@ class Leads {
     const cuts = this.walk.motions.filter((motion) => inside(motion) && isCut(motion));
     cuts.sort((a, b) => a.place.target - b.place.target);
     if (cuts.length === 0) return { fault: words.noCut };
-    // From behind, so that numbers of targets stay right.
+    // The lead-out comes first, so that target numbers stay valid.
     if (this.choice.out) this.leadOut(cuts.at(-1)!);
     if (this.choice.into) this.leadIn(cuts[0]);
     return this.text;
@@ -90,7 +91,7 @@ class Leads {
     return this.choice.side === "left" ? left : scaled(left, -1);
   }
 
-  /** What stands at an end of the cut, and over it, goes to the end of the lead. */
+  /** Moves the targets at an end of the cut, and above it, to the end of the lead. */
   private shift(from: number, step: 1 | -1, at: Vector, by: Vector, up: Vector): void {
     for (let i = from; standsOver(this.targets[i], at, up); i += step) {
       const { position_mm } = this.targets[i] as Point;
@@ -107,7 +108,7 @@ class Leads {
     const { target } = cut.place;
     const { feed_mm_min } = pointAt(this.file, cut.place)!;
     const lead = { ...motionOfLead(at, at, along, aside, this.choice), feed_mm_min };
-    // A cut that goes on from another path is left, and begun anew.
+    // A cut that continues from another path is left, and begun again.
     const goesOn = !isSamePlace(cut.after, this.place(target - 1));
     if (!goesOn) this.shift(target - 1, -1, at, subtract(start, at), up);
     const added: Point[] = goesOn ? [{ motion: "rapid", position_mm: start }, lead] : [lead];
@@ -130,7 +131,10 @@ class Leads {
   }
 }
 
-/** The text with leads at the ends of the cuts among some targets of a path; a sentence where there is no cut. */
+/**
+ * Returns the text with leads at the ends of the cuts among some targets of a path, or a message if they have
+ * no cut.
+ */
 export const addLeads = (
   text: string,
   file: PathFile,

@@ -1,4 +1,4 @@
-// The arcs of a path: through a via point, or about a centre; helices and several turns included.
+// Arcs of a path: through a via point, or about a centre; including helices and several turns.
 
 import { texts } from "../../texts";
 import type { Point } from "./path_file";
@@ -11,18 +11,18 @@ export interface Arc {
   normal: Vector;
   endRadius_mm: number;
   turn_rad: number;
-  /** Along the normal, from the start to the end. */
+  /** Distance along the normal, from the start to the end. */
   rise_mm: number;
 }
 
 const LEAST_MM = 1e-6;
-/** How far the ends of an arc may be off its circle. */
+/** Max distance of the ends of an arc from its circle. */
 const TOLERANCE_MM = 0.01;
 const FULL = 2 * Math.PI;
 const DEG = 180 / Math.PI;
 const words = texts.paths.faults;
 
-/** From one radius to another about the normal, from 0 to a full turn. */
+/** Returns the angle from one radius to another about the normal, from 0 to a full turn. */
 function angleBetween(from: Vector, to: Vector, normal: Vector): number {
   const angle = Math.atan2(dot(normal, cross(from, to)), dot(from, to));
   return angle < 0 ? angle + FULL : angle;
@@ -65,12 +65,12 @@ function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vecto
   return { center, first, normal: axis, endRadius_mm, turn_rad: Math.max(turn_rad - off, Math.abs(off)), rise_mm };
 }
 
-/** The arc from a start to a circular point; a sentence where there is none. */
+/** Returns the arc from a start to a circular point, or a message if none exists. */
 export function arcTo(start: Vector, point: Point): Arc | string {
   return point.via_mm ? through(start, point.via_mm, point.position_mm) : about(start, point, point.position_mm);
 }
 
-/** A point of an arc, a share from 0 to 1 on its way. */
+/** Returns a point of an arc, at a share from 0 to 1 of its length. */
 export function pointOfArc({ center, first, normal, endRadius_mm, turn_rad, rise_mm }: Arc, share: number): Vector {
   const scale = 1 + share * (endRadius_mm / lengthOf(first) - 1);
   return add(add(center, scaled(turned(first, normal, share * turn_rad), scale)), scaled(normal, share * rise_mm));
@@ -78,13 +78,15 @@ export function pointOfArc({ center, first, normal, endRadius_mm, turn_rad, rise
 
 export const arcLength_mm = ({ first, turn_rad, rise_mm }: Arc): number => Math.hypot(lengthOf(first) * turn_rad, rise_mm);
 
-/** In which it goes at a share of its way, of length 1. */
+/** Returns the direction at a share of its length, a vector of length 1. */
 export function directionOfArc(arc: Arc, share: number): Vector {
   const around = scaled(turned(cross(arc.normal, arc.first), arc.normal, share * arc.turn_rad), arc.turn_rad);
   return unit(add(around, scaled(arc.normal, arc.rise_mm)))!;
 }
 
-/** Points of an arc that chords between are off it by no more than this, its start left out. */
+/**
+ * Returns points of an arc, without its start, so that the chords between them deviate by no more than this.
+ */
 export function sampleArc(arc: Arc, off_mm: number, most = 20_000): Vector[] {
   const radius_mm = Math.max(lengthOf(arc.first), arc.endRadius_mm);
   const step_rad = 2 * Math.acos(Math.max(1 - off_mm / radius_mm, 0.5));
@@ -92,6 +94,6 @@ export function sampleArc(arc: Arc, off_mm: number, most = 20_000): Vector[] {
   return Array.from({ length: count }, (_, i) => pointOfArc(arc, (i + 1) / count));
 }
 
-/** Whether it is one that a via point can tell: less than a full turn in one plane. */
+/** True if a via point can define it: less than a full turn in one plane. */
 export const isPlainArc = (arc: Arc, start: Vector, end: Vector): boolean =>
   arc.turn_rad < FULL && Math.abs(arc.rise_mm) < LEAST_MM && distance(start, end) > LEAST_MM;

@@ -1,4 +1,4 @@
-// Changes of a path file's text. Each gives the new text; what a change does not touch keeps its layout.
+// Changes of a path file's text. Each returns the new text; unchanged parts keep their layout.
 
 import {
   changeValue,
@@ -36,7 +36,7 @@ import { machinePointKeys, pointKeys, subPathKeys } from "./target_faults";
 import { roundedVector, type Vector } from "./vector";
 import type { Walk } from "./path_walk";
 
-/** Values to be set; what is undefined is taken away. */
+/** Values to set; undefined ones are removed. */
 type ChangeOf<Object> = { [Key in keyof Object]?: Object[Key] | undefined };
 export type PointChange = ChangeOf<Point>;
 export type SubPathChange = ChangeOf<SubPath>;
@@ -46,9 +46,9 @@ export type FrameChange = ChangeOf<WorkFrame>;
 
 const targetsOf = (path: number) => ["paths", path, "targets"];
 
-/** The text of an object with other members; new ones stand where `order` has them. */
+/** Returns the text of an object with changed members; new ones follow `order`. */
 function withMembers(object: string, change: object, order: readonly string[]): string {
-  // What goes, goes first: of two kinds of orientation there is one at most.
+  // Removals come first: at most one of two kinds of orientation may exist.
   const all = Object.entries(change).sort((a, b) => Number(a[1] !== undefined) - Number(b[1] !== undefined));
   return all.reduce((text, [key, value]) => setMember(text, [], key, value as JsonValue, order), object);
 }
@@ -58,32 +58,32 @@ function keysOf(target: Target): readonly string[] {
   return isMachinePoint(target) ? machinePointKeys : pointKeys;
 }
 
-/** Keeps or takes away members of a target, one after the other. */
+/** Sets or removes members of a target, one after another. */
 export const setTarget = (text: string, place: Place, change: PointChange | SubPathChange | MachinePointChange): string =>
   changeValue(text, jsonPlaceOf(place), (target) => withMembers(target, change, keysOf(readJson(target) as unknown as Target)));
 
-/** Keeps or takes away what a path says of its work frame and its tool. */
+/** Sets or removes the work frame and the tool of a path. */
 export const setPath = (text: string, path: number, change: SetUpChange): string =>
   changeValue(text, ["paths", path], (own) => withMembers(own, change, pathKeys));
 
-/** Puts targets in front of one of a path, by its number; that of none: at the end. */
+/** Inserts targets before one of a path, by its number; if that does not exist, at the end. */
 export const insertTargets = (text: string, path: number, before: number, targets: Target[]): string =>
   insertItems(text, targetsOf(path), before, targets as unknown as JsonValue[]);
 
-/** Puts targets behind a place; behind the path itself: at its end. */
+/** Inserts targets after a place; for the path itself, at its end. */
 export const addTargets = (text: string, file: PathFile, { path, target }: Place, targets: Target[]): string =>
   insertTargets(text, path, target < 0 ? file.paths[path].targets.length : target + 1, targets);
 
-/** Takes targets out; a path keeps one at least. */
+/** Removes targets; a path keeps at least one. */
 export function removeTargets(text: string, file: PathFile, { path, target }: Place, count: number): string {
   return count < file.paths[path].targets.length ? removeItems(text, targetsOf(path), target, count) : text;
 }
 
-/** Puts a copy of targets behind them. */
+/** Inserts a copy of targets after them. */
 export const duplicateTargets = (text: string, { path, target }: Place, count: number): string =>
   insertTexts(text, targetsOf(path), target + count, textsOfItems(text, targetsOf(path), target, count));
 
-/** Puts targets to where another one of their path stands, which makes room. */
+/** Moves targets to the position of another one of their path. */
 export function moveTargets(text: string, file: PathFile, { path, target }: Place, count: number, to: number): string {
   const all = file.paths[path].targets.map((_, i) => i);
   const moved = all.splice(target, count);
@@ -91,18 +91,18 @@ export function moveTargets(text: string, file: PathFile, { path, target }: Plac
   return reorderItems(text, targetsOf(path), all);
 }
 
-/** "part 2" where there is a "part" already. */
+/** Returns "part 2" if "part" is taken. */
 export function freeName(file: PathFile, wanted: string): string {
   let name = wanted;
   for (let i = 2; indexOfPath(file, name) >= 0; ++i) name = `${wanted} ${i}`;
   return name;
 }
 
-/** A path as files have it: a line for each target. */
+/** Returns a path as in files: a line for each target. */
 const pathText = (name: string, targets: string[]): string =>
   `{"name": ${JSON.stringify(name)}, "targets": [\n${targets.map((target) => `  ${target}`).join(",\n")}\n]}`;
 
-/** Makes a path of its own of some targets, at the end of the file, and puts it in their place. */
+/** Makes some targets a path of its own at the end of the file, and uses it in their place. */
 export function makeSubPath(text: string, file: PathFile, place: Place, count: number, name: string): string {
   const { path, target } = place;
   const made = pathText(name, textsOfItems(text, targetsOf(path), target, count));
@@ -111,20 +111,20 @@ export function makeSubPath(text: string, file: PathFile, place: Place, count: n
   return insertTexts(without, ["paths"], file.paths.length, [made]);
 }
 
-/** Takes a path out that nothing uses. */
+/** Removes a path that nothing uses. */
 export function removePath(text: string, file: PathFile, path: number): string {
   return file.paths.length > 1 && path !== rootOf(file) && usersOf(file, file.paths[path].name).length === 0
     ? removeItems(text, ["paths"], path, 1)
     : text;
 }
 
-/** Where a path is used. */
+/** Returns the places that use a path. */
 export const usersOf = (file: PathFile, name: string): Place[] =>
   file.paths.flatMap(({ targets }, path) =>
     targets.flatMap((each, target) => (isSubPath(each) && each.path === name ? [{ path, target }] : [])),
   );
 
-/** Gives a path another name, wherever it is named. */
+/** Renames a path and all references to it. */
 export function renamePath(text: string, file: PathFile, path: number, name: string): string {
   const before = file.paths[path].name;
   let changed = replaceValue(text, ["paths", path, "name"], name);
@@ -135,14 +135,14 @@ export function renamePath(text: string, file: PathFile, path: number, name: str
 export const setRoot = (text: string, name: string): string =>
   setMember(text, [], "root", name, ["$schema", "name", "root", "work_offsets", "paths"]);
 
-/** The text of a new file, whose one path has one point. */
+/** Returns the text of a new file with one path of one point. */
 export const newPathFile = (name: string, point: Point): string =>
   `{\n"name": ${JSON.stringify(name)},\n"root": ${JSON.stringify(name)},\n"paths": [\n` +
   `${pathText(name, [jsonLine(point as unknown as JsonValue)])}\n]\n}\n`;
 
 /**
- * Puts a point elsewhere. Arcs about a centre that begin or end there, and fit no longer, become arcs through the middle
- * of what they were.
+ * Moves a point. Arcs about a centre that begin or end there, and do not fit any more, become arcs through
+ * the middle of the old ones.
  */
 export function movePoint(text: string, file: PathFile, walk: Walk, place: Place, position_mm: Vector): string {
   const to = roundedVector(position_mm);

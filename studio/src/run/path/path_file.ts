@@ -1,4 +1,4 @@
-// A path file (docs/paths.md) as the page has it: paths of points and sub-paths, and what is wrong with its text.
+// Path file (docs/paths.md) in the page: paths of points and sub-paths, and errors of its text.
 
 import { JsonFault, readJson, spanOf, type JsonPlace, type JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
@@ -8,7 +8,7 @@ import type { Vector } from "./vector";
 export const motionTypes = ["rapid", "linear", "circular", "none"] as const;
 export type MotionType = (typeof motionTypes)[number];
 
-/** What a point may have, in the order of the file. */
+/** Possible members of a point, in the order of the file. */
 export interface Point {
   name?: string;
   /** Without it: linear. */
@@ -32,14 +32,17 @@ export interface Point {
   actions?: string[];
 }
 
-/** What a path, or the use of one, says of the work coordinate system that its positions are counted in. */
+/** Work coordinate system of the positions of a path, or of a use of one. */
 export interface WorkFrame {
   work_offset?: string;
   set_offset_mm?: Vector;
   probe_offset?: Touch[];
 }
 
-/** A straight way along an axis until the tool touches something, by which a program finds where a work offset lies. */
+/**
+ * Straight motion along an axis until the tool touches something, by which a program finds the position of a
+ * work offset.
+ */
 export interface Touch {
   axis: "X" | "Y" | "Z";
   from_mm: Vector;
@@ -55,12 +58,12 @@ export interface SubPath extends WorkFrame {
   repeats?: number;
 }
 
-/** A place of the machine that its control, or its data, knows: where it is in the work nobody can tell. */
+/** Position of the machine that its controller, or its data, knows: its position in the work is unknown. */
 export interface MachinePoint {
   name?: string;
-  /** A fixed point of the machine data, by its name or its number. */
+  /** Fixed point of the machine data, by name or number. */
   fixed?: string | number;
-  /** A home position of the control, 1 to 4; a reference point of the machine data, by its name. */
+  /** Home position of the controller, 1 to 4, or a reference point of the machine data, by name. */
   reference?: string | number;
   dwell_s?: number;
   actions?: string[];
@@ -68,10 +71,10 @@ export interface MachinePoint {
 
 export type Target = Point | SubPath | MachinePoint;
 
-/** Where a path is, and with what it works. */
+/** Position and tool of a path. */
 export interface SetUp extends WorkFrame {
   tool?: number;
-  /** Without it: that of the tool. */
+  /** Default: that of the tool. */
   length_offset?: number;
   diameter_offset?: number;
 }
@@ -88,13 +91,13 @@ export interface PathFile {
   paths: Path[];
 }
 
-/** A target of a path, both by number; a target of -1 is the path itself. */
+/** Target of a path, both by number; a target of -1 is the path itself. */
 export interface Place {
   path: number;
   target: number;
 }
 
-/** What is wrong with a path file, and where. */
+/** Error of a path file, and its position. */
 export interface Fault {
   text: string;
   /** null: with all of it. */
@@ -110,7 +113,7 @@ export const keyOfPlace = ({ path, target }: Place): string => `${path}/${target
 export const isSamePlace = (one: Place | null, other: Place | null): boolean =>
   one?.path === other?.path && one?.target === other?.target;
 
-/** Where a place stands in the text. */
+/** Returns the position of a place in the text. */
 export const jsonPlaceOf = ({ path, target }: Place): JsonPlace =>
   target < 0 ? ["paths", path] : ["paths", path, "targets", target];
 
@@ -123,28 +126,31 @@ export function pointAt(file: PathFile, place: Place): Point | undefined {
 
 export const indexOfPath = (file: PathFile, name: string): number => file.paths.findIndex((path) => path.name === name);
 
-/** The number of the path to begin with; -1: there is none of that name. */
+/** Returns the number of the path to begin with; -1: no path has that name. */
 export const rootOf = (file: PathFile): number => (file.root === undefined ? 0 : indexOfPath(file, file.root));
 
-/** Whether it was recorded from a run: its points say work offsets, their actions tools, and it has no machine points. */
+/**
+ * True if it was recorded from a run: its points set work offsets, their actions set tools, and it has no
+ * machine points.
+ */
 export const isRecorded = ({ work_offsets }: PathFile): boolean => Object.keys(work_offsets ?? {}).length > 0;
 
 const words = texts.paths.faults;
 
 const FILE_KEYS = ["$schema", "name", "root", "paths", "work_offsets"];
-/** Keys of a path, in the order in which files have them. */
+/** Keys of a path, in the order of files. */
 export const pathKeys = ["name", ...setUpKeys, "targets"];
 
 const isObject = (value: JsonValue | undefined): value is { [key: string]: JsonValue | undefined } =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
-/** The first key that does not belong there, in words. */
+/** Returns a message about the first key that is not allowed there. */
 const strange = (value: object, known: string[], where: string): string | null => {
   const key = Object.keys(value).find((each) => !known.includes(each));
   return key === undefined ? null : words.unknownKey(key, where, known.join(", "));
 };
 
-/** What keeps values of JSON from being a path file; the place is one of the text. */
+/** Returns why JSON values are not a path file; the place is a position in the text. */
 function faultOfShape(value: JsonValue): { text: string; at: JsonPlace } | null {
   if (!isObject(value)) return { text: words.noObject, at: [] };
   const unknown = strange(value, FILE_KEYS, words.ofFile);
@@ -183,7 +189,7 @@ function faultAt(text: string, at: number, sentence: string): Fault {
   return { text: words.at(before.split("\n").length, at - before.lastIndexOf("\n"), sentence), place: null };
 }
 
-/** The path file, or why the text is none: with line and column. */
+/** Returns the path file, or the error of the text with line and column. */
 export function readPathFile(text: string): PathFile | Fault {
   try {
     const value = readJson(text);

@@ -1,4 +1,4 @@
-// How the tool goes to a point, said otherwise: another motion, an arc by its via point or by its centre.
+// Changes the motion to a point: another motion, an arc by its via point or by its centre.
 
 import { arcTo, isPlainArc, pointOfArc, type Arc } from "./path_arc";
 import type { PointChange } from "./path_edit";
@@ -6,18 +6,18 @@ import { motionOf, type MotionType, type Point } from "./path_file";
 import { add, between, cross, distance, rounded, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
 
 const noArc: PointChange = { via_mm: undefined, center_mm: undefined, normal: undefined, turn_deg: undefined };
-/** How far the first arc between two points is from their chord, of its length. */
+/** Distance of the first arc between two points from their chord, relative to its length. */
 const BULGE = 0.25;
 const DEG = 180 / Math.PI;
 
-/** A point beside the middle of a chord, to the right of the way as the tool looks down. */
+/** Returns a point next to the middle of a chord, to the right of the path as the tool looks down. */
 function besideChord(from: Vector, to: Vector, up: Vector): Vector {
   const chord = subtract(to, from);
   const aside = unit(cross(chord, up)) ?? unit(cross(chord, [1, 0, 0])) ?? [0, 1, 0];
   return roundedVector(add(between(from, to, 0.5), scaled(aside, BULGE * Math.max(distance(from, to), 1))));
 }
 
-/** Another motion; an arc begins as a flat one through a point beside the chord. */
+/** Returns the change to another motion; an arc begins as a flat one through a point next to the chord. */
 export function motionChange(point: Point, motion: MotionType, from_mm: Vector | null, up: Vector): PointChange {
   const change: PointChange = { motion };
   if (motion === "circular") return { ...change, lead_mm: undefined, via_mm: besideChord(from_mm ?? [0, 0, 0], point.position_mm, up) };
@@ -34,7 +34,7 @@ export const byCenter = ({ center, normal, turn_rad }: Arc): PointChange => ({
   turn_deg: rounded(turn_rad * DEG),
 });
 
-/** The same arc by its centre, or by its via point; null: it is none that can be said so. */
+/** Returns the same arc by its centre, or by its via point; null: not possible. */
 export function arcSaidOtherwise(point: Point, from_mm: Vector | null, kind: "via" | "center"): PointChange | null {
   const arc = from_mm && arcTo(from_mm, point);
   if (!from_mm || arc === null || typeof arc === "string") return null;

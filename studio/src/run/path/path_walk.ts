@@ -1,23 +1,23 @@
-// A way through a path file: from where the tool comes to each point, what the point takes over from those before it, and
-// what is wrong there.
+// Walk through a path file: the motion to each point, the values that the point inherits from those before
+// it, and errors there.
 
 import { texts } from "../../texts";
 import { arcTo, type Arc } from "./path_arc";
 import { indexOfPath, isMachinePoint, isSubPath, keyOfPlace, motionOf, rootOf, type Fault, type PathFile, type Place, type Point, type SubPath } from "./path_file";
 import type { Vector } from "./vector";
 
-/** How deep sub-paths may be nested; the root is not counted. */
+/** Max nesting depth of sub-paths; the root is not counted. */
 const MOST_DEPTH = 8;
 const words = texts.paths.faults;
 
 type Orientation = Pick<Point, "tool_axis" | "rpy_deg" | "rotary_deg">;
 
-/** What points take over from those before. */
+/** Values that points inherit from those before. */
 export interface State extends Orientation {
   position_mm?: Vector;
-  /** The point that the position is of. */
+  /** Point of the position. */
   at?: Place;
-  /** The machine stands at a fixed or reference point, so that nobody knows the position. */
+  /** True if the machine is at a fixed or reference point, so that the position is unknown. */
   atMachinePoint?: boolean;
   feed_mm_min?: number;
   feed_deg_min?: number;
@@ -29,7 +29,7 @@ export interface State extends Orientation {
 /** A motion to a point. */
 export interface Motion {
   place: Place;
-  /** The point that the tool comes from, and its position; null: nothing says where that is. */
+  /** Previous point of the tool, and its position; null: not defined. */
   after: Place | null;
   from_mm: Vector | null;
   to_mm: Vector;
@@ -39,18 +39,18 @@ export interface Motion {
 
 export interface Walk {
   motions: Motion[];
-  /** By keyOfPlace: what is in force before a point. */
+  /** State before each point, by keyOfPlace. */
   before: Map<string, State>;
   /** Numbers of the paths that the root leads to. */
   used: Set<number>;
   faults: Fault[];
 }
 
-/** What is in force behind a point, or behind what a whole path sets. */
+/** Returns the state after a point, or after all settings of a path. */
 export function stateBehind(before: State, later: State): State {
   const turning = later.tool_axis ?? later.rpy_deg ?? later.rotary_deg ? later : before;
   const feeding = later.feed_mm_min !== undefined ? later : before;
-  // Member by member: paths may have very many points.
+  // Members are copied one by one, for speed: paths may have very many points.
   const standing = later.position_mm || later.atMachinePoint ? later : before;
   return {
     position_mm: standing.position_mm,
@@ -69,9 +69,9 @@ export function stateBehind(before: State, later: State): State {
 
 class Walker {
   readonly walk: Walk = { motions: [], before: new Map(), used: new Set(), faults: [] };
-  /** What each path that has been gone through sets. */
+  /** Settings of each path that was already walked. */
   private readonly changes = new Map<number, State>();
-  /** Ways into paths that have been gone through: first point, and where the tool came from. */
+  /** Entries into walked paths: first point, and previous position of the tool. */
   private readonly ways = new Set<string>();
   private readonly faulty = new Set<string>();
 
@@ -88,7 +88,7 @@ class Walker {
     if (root < 0) walk.faults.push({ text: words.noPath(file.root!), place: null });
     else this.enter(root, {}, []);
     walk.used = new Set(this.changes.keys());
-    // Those that nothing leads to are drawn, too: one may be about to use them.
+    // Unused paths are drawn, too: the user may be about to use them.
     file.paths.forEach((_, path) => {
       if (!this.changes.has(path)) this.enter(path, {}, []);
     });
@@ -102,7 +102,7 @@ class Walker {
     this.walk.faults.push({ text, place });
   }
 
-  /** Goes through a path for the first time; returns what is in force behind it. */
+  /** Walks through a path for the first time; returns the state after it. */
   private enter(path: number, state: State, way: number[]): State {
     let change: State = {};
     this.file.paths[path].targets.forEach((target, i) => {
@@ -126,7 +126,7 @@ class Walker {
     return state;
   }
 
-  /** Returns what a sub-path sets. */
+  /** Returns the settings of a sub-path. */
   private follow(place: Place, { path: name, repeats = 1 }: SubPath, state: State, way: number[]): State {
     const path = indexOfPath(this.file, name);
     if (path < 0) this.fail(place, words.noPath(name));
@@ -136,14 +136,14 @@ class Walker {
       if (this.changes.has(path)) this.comeTo(path, state);
       else this.enter(path, state, way);
       const change = this.changes.get(path)!;
-      // Each pass but the first comes from the path's own end.
+      // Each pass after the first starts at the path's own end.
       if (repeats > 1) this.comeTo(path, stateBehind(state, change));
       return change;
     }
     return {};
   }
 
-  /** Another way to a path that has been gone through: only its first motion is another one. */
+  /** Adds another entry into a walked path: only its first motion differs. */
   private comeTo(path: number, state: State, depth = 0): void {
     const [first] = this.file.paths[path].targets;
     const place = { path, target: 0 };

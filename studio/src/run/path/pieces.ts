@@ -1,8 +1,9 @@
-// Straight pieces in space, and which of them is nearest to a point: boxes about runs of neighbours, halved again and again.
+// Straight parts in space, and a search for the nearest one to a point: a tree of boxes around runs of
+// neighbours, halved at each level.
 
-/** Pieces one behind the other: six coordinates (mm) for each. */
+/** Consecutive parts: six coordinates (mm) for each. */
 export class Pieces {
-  /** For each node of the tree its box: three lowest and three highest coordinates. */
+  /** Box of each node of the tree: three lowest and three highest coordinates. */
   private readonly boxes: Float64Array;
   private readonly leaves: number;
 
@@ -31,12 +32,12 @@ export class Pieces {
     for (const child of [2 * node, 2 * node + 1]) for (let i = 0; i < 6; ++i) widen(boxes[6 * child + i], i % 3);
   }
 
-  /** To the nearest piece, mm; Infinity: there is none. */
+  /** Returns the distance to the nearest part, mm; Infinity: none. */
   distanceTo(x: number, y: number, z: number): number {
     return Math.sqrt(this.search(1, x, y, z, Infinity));
   }
 
-  /** The least square of the distance in a node, or `best` where there is none below it. */
+  /** Returns the smallest square of the distance in a node, or `best` if that is smaller. */
   private search(node: number, x: number, y: number, z: number, best: number): number {
     if (node >= this.leaves) {
       const first = PER_LEAF * (node - this.leaves);

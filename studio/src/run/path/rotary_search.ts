@@ -1,4 +1,5 @@
-// Rotary axes that let the tool stand in a direction: found step by step from where they are, by the machine's own chain.
+// Rotary axis values for a tool direction: found step by step from the current ones, by the machine's own
+// chain.
 
 import { Vector3 } from "three";
 import type { Chain } from "../chain";
@@ -6,9 +7,9 @@ import { toolDirection } from "./tool_direction";
 
 const STEPS = 40;
 const DIFFERENCE_DEG = 1e-4;
-/** Of directions that are the same, as the chord between them. */
+/** Chord below which two directions are the same. */
 const CLOSE = 1e-9;
-/** Where the axes cannot tell by small steps which way to go, they begin elsewhere. */
+/** Other starts, for poses at which small steps of the axes give no direction to search in. */
 const BEGINNINGS_DEG = [0, 45, -45, 90, -90, 135, -135, 180];
 
 type Values = Record<string, number>;
@@ -41,7 +42,7 @@ function searchFrom(wanted: Vector3, start: Values, chain: Chain): Values | null
     const by = solve(columns, rest, damping);
     const next = Object.fromEntries(letters.map((letter, i) => [letter, values[letter] + by[i]]));
     const there = toolDirection({ rotary_deg: next }, chain)!;
-    // What leads no nearer is tried again with shorter steps.
+    // A step that brings no improvement is repeated with a shorter one.
     if (there.distanceTo(wanted) < at.distanceTo(wanted)) [values, at, damping] = [next, there, Math.max(damping / 10, 1e-12)];
     else damping *= 30;
   }
@@ -51,7 +52,7 @@ function searchFrom(wanted: Vector3, start: Values, chain: Chain): Values | null
 const changeOf = (from: Values, to: Values): number =>
   Math.max(...Object.keys(from).map((letter) => Math.abs(to[letter] - from[letter])));
 
-/** Values in deg by letter, as near to given ones as can be found; null: there are none. */
+/** Returns values in deg by letter, as near to the given ones as possible; null: none found. */
 export function rotaryFor(wanted: Vector3, near: Values, chain: Chain): Values | null {
   const direction = wanted.clone().normalize();
   if (!toolDirection({ rotary_deg: near }, chain) || Object.keys(near).length === 0) return null;

@@ -1,4 +1,5 @@
-// The round trip of a path: it was written as a program, the program has run, and the way of the run is held against the path.
+// Round trip of a path: it was written as a program, the program has run, and the path of the run is compared
+// with it.
 
 import { isRapid, type Segments } from "../segments";
 import { sampleArc } from "./path_arc";
@@ -7,22 +8,25 @@ import { Pieces } from "./pieces";
 import { between, distance, type Vector } from "./vector";
 
 export interface RoundTrip {
-  /** How far the way of the run is from the path where it is farthest, mm, and the path from the way of the run. */
+  /**
+   * Largest distance of the path of the run from the given path, mm, and of the given path from that of the
+   * run.
+   */
   wayOff_mm: number;
   pathOff_mm: number;
 }
 
-/** Chords in place of arcs are off them by this at most. */
+/** Max deviation of chords from their arcs. */
 const CHORD_MM = 1e-4;
-/** Long lines are looked at in so many places, too. */
+/** Distance between the points at which long lines are also compared. */
 const STEP_MM = 1;
 const MOST_STEPS = 32;
-/** A run that has come so near to the path's first point is on the path. */
+/** Distance from the path's first point at which a run is on the path. */
 const BEGUN_MM = 0.1;
-/** More places than this are looked at here and there only. */
+/** Max number of compared points; beyond it only samples are compared. */
 const MOST_PLACES = 400_000;
 
-/** A list of points with the pieces between them. */
+/** List of points with the parts between them. */
 class Polyline {
   readonly ends: number[] = [];
   readonly places: number[] = [];
@@ -38,7 +42,7 @@ class Polyline {
     return new Pieces(Float64Array.from(this.ends));
   }
 
-  /** The greatest distance of its places from pieces, mm. */
+  /** Returns the largest distance of its points from the given parts, mm. */
   farthestFrom(pieces: Pieces): number {
     const { places } = this;
     const stride = 3 * Math.ceil(places.length / 3 / MOST_PLACES);
@@ -50,7 +54,9 @@ class Polyline {
   }
 }
 
-/** Motions at feed; rapid ones are where they end, for machines have ways of their own between. */
+/**
+ * Returns motions at feed; rapids count only by their ends, because machines have their own paths between.
+ */
 function lineOfPath(walk: Walk): Polyline {
   const line = new Polyline();
   for (const { from_mm, to_mm, rapid, arc } of walk.motions) {
@@ -68,8 +74,8 @@ function lineOfPath(walk: Walk): Polyline {
 }
 
 /**
- * The drawn way of a run: all of it, or its moves at feed from where it first comes to the path: how the machine gets
- * there no path says.
+ * Returns the drawn path of a run: all of it, or its moves at feed from the first contact with the path,
+ * because a path does not define the approach.
  */
 function lineOfRun({ stretches }: Segments, cutsFrom: Vector | null): Polyline {
   const line = new Polyline();
@@ -88,13 +94,13 @@ function lineOfRun({ stretches }: Segments, cutsFrom: Vector | null): Polyline {
   return line;
 }
 
-/** null: one of both has no way. */
+/** Returns null if one of both has no path. */
 export function roundTrip(walk: Walk, segments: Segments): RoundTrip | null {
   const path = lineOfPath(walk);
   const way = lineOfRun(segments, null);
   if (path.ends.length === 0 || way.ends.length === 0) return null;
   const cuts = lineOfRun(segments, walk.motions[0].to_mm);
-  // A run that never comes to the path is as far off as it is.
+  // A run that never reaches the path is compared completely.
   const held = cuts.ends.length > 0 ? cuts : way;
   return { wayOff_mm: held.farthestFrom(path.pieces()), pathOff_mm: path.farthestFrom(way.pieces()) };
 }

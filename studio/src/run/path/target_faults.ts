@@ -1,9 +1,9 @@
-// What keeps values from being a target of a path: a point, or another path.
+// Errors that keep values from being a target of a path: a point, or another path.
 
 import type { JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
 
-/** What a value must be, in words; null: it is so. */
+/** Returns the required form of a value, in words, or null if it is valid. */
 type Check = (value: JsonValue) => string | null;
 
 const words = texts.paths.faults;
@@ -116,16 +116,16 @@ const setUpChecks: Record<string, Check> = {
   diameter_offset: isToolNumber,
 };
 
-/** Keys of the use of a path, in the order in which files have them. */
+/** Keys of the use of a path, in the order of files. */
 export const subPathKeys: readonly string[] = Object.keys(subPathChecks);
 
-/** Keys of a fixed or reference point, in the order in which files have them. */
+/** Keys of a fixed or reference point, in the order of files. */
 export const machinePointKeys: readonly string[] = Object.keys(machinePointChecks);
 
-/** Keys of a path that say where it is and with what it works. */
+/** Keys of a path that set its position and tool. */
 export const setUpKeys: readonly string[] = Object.keys(setUpChecks);
 
-/** Keys of a point, in the order in which files have them. */
+/** Keys of a point, in the order of files. */
 export const pointKeys: readonly string[] = Object.keys(pointChecks);
 
 type Members = { [key: string]: JsonValue | undefined };
@@ -169,7 +169,7 @@ function faultOfFrame(of: Members): string | null {
   return lone ? words.goesWith(lone, "work_offset") : null;
 }
 
-/** What is wrong with what a path says of its work frame and its tool; other keys are passed over. */
+/** Returns the error of the work frame and the tool of a path; other keys are ignored. */
 export function faultOfSetUp(path: Members): string | null {
   const own = Object.fromEntries(Object.entries(path).filter(([key]) => setUpKeys.includes(key)));
   const lone = ["length_offset", "diameter_offset"].find((key) => path[key] !== undefined && path.tool === undefined);
@@ -177,7 +177,7 @@ export function faultOfSetUp(path: Members): string | null {
   return faultOfValues(own, setUpChecks, words.ofPath) ?? faultOfFrame(path);
 }
 
-/** A sentence; null: nothing does. */
+/** Returns a message, or null if the target is valid. */
 export function faultOfTarget(target: JsonValue): string | null {
   if (typeof target !== "object" || target === null || Array.isArray(target)) {
     return words.noTarget;

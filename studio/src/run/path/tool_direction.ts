@@ -1,4 +1,5 @@
-// Where the tool stands from its tip, however a path says it: by a direction, by angles, or by rotary axes of a machine.
+// Direction of the tool from its TCP, for all forms in a path: by a direction, by angles, or by rotary axes
+// of a machine.
 
 import { Euler, Matrix4, Quaternion, Vector3 } from "three";
 import { RAD_PER_DEG, jointValue, type Chain } from "../chain";
@@ -10,11 +11,11 @@ export type Orientation = Pick<Point, "tool_axis" | "rpy_deg" | "rotary_deg">;
 export const orientationKinds = ["tool_axis", "rpy_deg", "rotary_deg"] as const;
 export type OrientationKind = (typeof orientationKinds)[number];
 
-/** null: none is given. */
+/** Returns null without an orientation. */
 export const kindOfOrientation = (orientation: Orientation): OrientationKind | null =>
   orientationKinds.find((kind) => orientation[kind] !== undefined) ?? null;
 
-/** R = Rz(roll) Ry(pitch) Rx(yaw). */
+/** Returns R = Rz(roll) Ry(pitch) Rx(yaw). */
 export function rotationOf([roll, pitch, yaw]: Vector): Quaternion {
   return new Quaternion().setFromEuler(new Euler(yaw * RAD_PER_DEG, pitch * RAD_PER_DEG, roll * RAD_PER_DEG, "ZYX"));
 }
@@ -24,17 +25,17 @@ export function rpyOf(rotation: Quaternion): Vector {
   return [z / RAD_PER_DEG, y / RAD_PER_DEG, x / RAD_PER_DEG];
 }
 
-/** The tool's frame in that of the work. */
+/** Returns the tool's frame in that of the work. */
 export function toolInWork(chain: Chain, joints: ArrayLike<number>, t_s = 0): Matrix4 {
   const { tool, work } = chain.places(joints, t_s);
   return work.invert().multiply(tool);
 }
 
-/** Joints with rotary axes at values in deg, by letter, and the others at given ones. */
+/** Returns joints with rotary axes at values in deg, by letter, and the others at the given values. */
 export const jointsWith = (axes: Axis[], rotary_deg: Record<string, number>, others: ArrayLike<number>): number[] =>
   axes.map((axis, i) => (axis.rotary && axis.letter in rotary_deg ? jointValue(axis, rotary_deg[axis.letter]) : others[i]));
 
-/** null: nothing says it, or it takes a machine that is not known. */
+/** Returns null if it is not defined, or needs an unknown machine. */
 export function toolDirection(orientation: Orientation, chain: Chain | null): Vector3 | null {
   const { tool_axis, rpy_deg, rotary_deg } = orientation;
   if (tool_axis) return new Vector3(...tool_axis).normalize();

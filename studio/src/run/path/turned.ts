@@ -1,4 +1,4 @@
-// An orientation that is turned, said in the way that it was.
+// Rotation of an orientation, kept in its original form.
 
 import { Quaternion } from "three";
 import type { Chain } from "../chain";
@@ -7,7 +7,7 @@ import { rotaryFor } from "./rotary_search";
 import { rotationOf, rpyOf, toolDirection, type Orientation } from "./tool_direction";
 import { rounded, roundedVector, type Vector } from "./vector";
 
-/** null: it cannot be turned so, or nothing says what it is. */
+/** Returns null if it cannot be rotated in this form, or is not defined. */
 export function turnedOrientation(orientation: Orientation, turn: Quaternion, chain: Chain | null): PointChange | null {
   const { rpy_deg, rotary_deg } = orientation;
   const none = { tool_axis: undefined, rpy_deg: undefined, rotary_deg: undefined };

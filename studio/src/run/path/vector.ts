@@ -13,14 +13,14 @@ export const cross = (a: Vector, b: Vector): Vector => [
 ];
 export const lengthOf = (a: Vector): number => Math.hypot(a[0], a[1], a[2]);
 export const distance = (a: Vector, b: Vector): number => lengthOf(subtract(a, b));
-/** Of length 1; null: it has no length. */
+/** Returns a vector of length 1, or null if `a` has no length. */
 export function unit(a: Vector): Vector | null {
   const length = lengthOf(a);
   return length > 1e-12 ? scaled(a, 1 / length) : null;
 }
 export const between = (a: Vector, b: Vector, share: number): Vector => add(a, scaled(subtract(b, a), share));
 
-/** Turned about an axis of length 1, by the right hand. */
+/** Rotates about an axis of length 1, right-handed. */
 export function turned(a: Vector, axis: Vector, angle_rad: number): Vector {
   const [c, s] = [Math.cos(angle_rad), Math.sin(angle_rad)];
   return add(add(scaled(a, c), scaled(cross(axis, a), s)), scaled(axis, dot(axis, a) * (1 - c)));
@@ -28,6 +28,6 @@ export function turned(a: Vector, axis: Vector, angle_rad: number): Vector {
 
 const DIGITS = 1e6;
 
-/** As it is written into a file: to a millionth of a mm or degree. */
+/** Rounds as written into a file: to a millionth of a mm or degree. */
 export const rounded = (value: number): number => Math.round(value * DIGITS) / DIGITS + 0;
 export const roundedVector = (a: Vector): Vector => [rounded(a[0]), rounded(a[1]), rounded(a[2])];

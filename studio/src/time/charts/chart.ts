@@ -1,4 +1,4 @@
-// One chart: curves with their limits, the places where limits are passed, the instant that is shown.
+// One chart: curves with their limits, the points at which limits are exceeded, the shown instant.
 
 import uPlot from "uplot";
 import { element } from "../../core/dom";
@@ -11,7 +11,7 @@ import { areaPaths, linePaths } from "./paths";
 import { short } from "./traces";
 import type { ScaleId, Trace } from "./trace";
 
-/** Beside the plot (px), so that charts and scrubber stand one below the other. */
+/** Width to the left of the plot (px), so that charts and scrubber are aligned. */
 export const LEFT_PX = 62;
 export const RIGHT_PX = 58;
 const TOP_PX = 6;
@@ -31,7 +31,7 @@ export class Chart {
   private readonly now = element("div", { class: "now" });
   private readonly values: HTMLElement[];
   private areColumns = false;
-  /** Of traces that are limits the value that is nearest to 0. */
+  /** For traces that are limits, the value nearest to 0. */
   private nearest: { scale: ScaleId; value: number }[] = [];
 
   constructor(
@@ -42,7 +42,7 @@ export class Chart {
     actions: ChartActions,
   ) {
     this.values = traces.map(() => element("b"));
-    // A limit to the other side is said once.
+    // A limit in both directions is listed once.
     const legend = traces.filter(({ isLimit, factor }) => !isLimit || factor > 0).map((trace) =>
       element(
         "span",
@@ -137,7 +137,7 @@ export class Chart {
     return this.traces.filter((trace) => trace.scale === scale).flatMap((trace) => trace.limits);
   }
 
-  /** All values, and limits that are not far beyond them. */
+  /** Returns the range of all values, and of limits that are not far beyond them. */
   private range(scale: ScaleId, low: number | null, high: number | null): [number, number] {
     const zero = this.traces.some((trace) => trace.scale === scale && trace.fromZero);
     let [from, to] = zero ? [Math.min(low ?? 0, 0), Math.max(high ?? 0, 0)] : [low ?? 0, high ?? 0];
@@ -170,7 +170,7 @@ export class Chart {
         ctx.moveTo(bbox.left, y);
         ctx.lineTo(bbox.left + bbox.width, y);
         ctx.stroke();
-        // One on top of another could not be read.
+        // Overlapping labels would not be legible.
         if (this.scales.length > 1 || labels_px.some((other) => Math.abs(other - y) < LABEL_PX * devicePixelRatio)) continue;
         labels_px.push(y);
         ctx.fillText(label, bbox.left + bbox.width + 4 * devicePixelRatio, y);
@@ -249,7 +249,7 @@ export class Chart {
     });
   }
 
-  /** Where the shown instant is, and the values at it or under the pointer. */
+  /** Shows the instant, and the values at it or under the pointer. */
   point(now_s: number, values: ArrayLike<number>): void {
     const x = this.plot.valToPos(now_s, "x");
     const inside = now_s >= this.window.start_s && now_s <= this.window.end_s;

@@ -1,4 +1,4 @@
-// Which charts there are, of which axes, in which measure.
+// Selection of charts, of axes, and of units.
 
 import { axisColour } from "../../core/colours";
 import { check, element } from "../../core/dom";
@@ -17,11 +17,11 @@ export interface Chosen {
 export interface Chooser {
   element: HTMLElement;
   readonly chosen: Chosen;
-  /** Of another machine, with the charts that there are of it: all its axes are shown. */
+  /** Starts with another machine and its available charts: all its axes are shown. */
   begin(axes: Axis[], offered: readonly ChartId[]): void;
 }
 
-/** A box that is ticked or not as it is made. */
+/** Creates a box that is initially checked or not. */
 function tick(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
   const { row, box } = check(label, change, { title });
   box.checked = checked;

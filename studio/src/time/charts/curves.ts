@@ -1,15 +1,15 @@
-// Curves over a stretch of time: exact samples where there are few segments, lowest and highest values for each
-// column of pixels where there are many.
+// Curves over a stretch of time: exact samples for few segments, lowest and highest values for each column of
+// pixels for many.
 
 import type { Segments } from "../../run/segments";
 import type { Leaves } from "./leaves";
 import { BEHIND_S, type Probe, type Spot } from "./probe";
 
-/** Instants of the run (s) in order, and for each channel a value there; NaN: none. */
+/** Instants of the run (s) in order, and a value for each channel there; NaN: none. */
 export interface Curves {
   t_s: number[];
   values: number[][];
-  /** Whether values come in pairs, the lowest and the highest of a column of pixels. */
+  /** True if values come in pairs, the lowest and the highest of a column of pixels. */
   areColumns: boolean;
 }
 
@@ -24,7 +24,7 @@ export function push(curves: Curves, t_s: number, values: ArrayLike<number>): vo
   for (let j = 0; j < curves.values.length; ++j) curves.values[j].push(values[j]);
 }
 
-/** `columns`: how many pixels the stretch is wide. What is not here is left out. */
+/** Returns the curves. `columns`: width of the stretch in pixels. Data that is not loaded is left out. */
 export function curvesOf(segments: Segments, leaves: Leaves, from_s: number, to_s: number, columns: number): Curves {
   const first = segments.at(from_s);
   if (first < 0 || !(to_s > from_s)) return empty(leaves.probe.width);
@@ -53,7 +53,7 @@ function sampled(probe: Probe, first: number, last: number, from_s: number, to_s
   return curves;
 }
 
-/** One a pixel, and both sides of where a law changes. */
+/** Returns one instant a pixel, and both sides of each change of a law. */
 function instants(probe: Probe, spot: Spot, begin_s: number, end_s: number, step_s: number): number[] {
   const all = [begin_s, end_s];
   for (let t_s = begin_s + step_s; t_s < end_s; t_s += step_s) all.push(t_s);
@@ -63,7 +63,7 @@ function instants(probe: Probe, spot: Spot, begin_s: number, end_s: number, step
   return all.sort((a, b) => a - b);
 }
 
-/** One value a pixel, until the extremes are known. */
+/** Returns one value a pixel, until the extremes are known. */
 function single(segments: Segments, probe: Probe, from_s: number, columns: number, step_s: number): Curves {
   const curves = empty(probe.width);
   const point = new Float64Array(probe.width);
@@ -90,7 +90,7 @@ function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: n
     widenPart(leaves.probe, here, begin_s, begin_s + step_s, low, high);
     leaves.widen(here + 1, next, low, high);
     if (next > here) widenPart(leaves.probe, next, begin_s, begin_s + step_s, low, high);
-    // Not in the middle, from where a chart may round to either side and leave a column empty.
+    // Not in the middle, because a chart may round that to either side and leave a column empty.
     push(curves, begin_s + step_s / 4, low);
     push(curves, begin_s + step_s / 4, high);
     here = next;
@@ -101,7 +101,7 @@ function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: n
   return curves;
 }
 
-/** A segment of which only a part lies in a column; one shorter than a column counts as a whole in both. */
+/** Widens by a segment that is partly in a column; one shorter than a column counts completely in both. */
 function widenPart(
   probe: Probe,
   index: number,

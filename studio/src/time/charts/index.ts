@@ -1,4 +1,4 @@
-// The charts below the scrubber, and the choice of what they show.
+// Charts below the scrubber, and the selection of their contents.
 
 import { element } from "../../core/dom";
 import { robotOf } from "../../core/shown";
@@ -51,7 +51,7 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
     return made;
   };
 
-  /** Null: what is asked for comes from laws. */
+  /** Returns null for data that comes from laws. */
   const seriesOf = (source: Group | SeriesKind): Series | null => robot?.series.get(source as SeriesKind) ?? null;
 
   function build(chosen: Chosen): void {

@@ -1,5 +1,5 @@
-// The lowest and highest values of runs of segments, made in slices while the page goes on, so that a chart of a
-// long stretch of time looks at few numbers and misses no peak.
+// Lowest and highest values of runs of segments, computed in slices while the page stays responsive. A chart
+// of a long stretch of time then reads few numbers and misses no peak.
 
 import type { Segments } from "../../run/segments";
 import { Probe, type Group } from "./probe";
@@ -14,14 +14,14 @@ export class Leaves {
   private built = 0;
   private readonly count: number;
 
-  /** `done` is called once all are there; not, where they are there at once. */
+  /** `done` is called once all are computed; not if they are available at once. */
   constructor(
     private readonly segments: Segments,
     group: Group,
     private readonly done: () => void,
   ) {
     this.probe = new Probe(segments, group);
-    // Of a long run they would be made of what is not here.
+    // For a long run the data is not loaded.
     this.count = segments.isLong ? 0 : Math.ceil(segments.count / LEAF);
     this.low = new Float32Array(this.count * this.probe.width).fill(Infinity);
     this.high = new Float32Array(this.count * this.probe.width).fill(-Infinity);
@@ -55,7 +55,7 @@ export class Leaves {
     }
   }
 
-  /** Widens `low` and `high` to what segments from `first` to before `end` come to. */
+  /** Widens `low` and `high` by the values of segments from `first` to before `end`. */
   widen(first: number, end: number, low: Float32Array, high: Float32Array): void {
     let index = first;
     while (index < end) {

@@ -1,4 +1,4 @@
-// Lines across a chart that its values are held against.
+// Lines across a chart, for comparison with its values.
 
 export interface Limit {
   value: number;

@@ -1,18 +1,18 @@
-// Curves over more of a long run than is here at a time: by what each block's way tells.
+// Curves over more of a long run than is loaded at a time: from the path data of each block.
 
 import type { Segments } from "../../run/segments";
 import { push, type Curves } from "./curves";
 import { PATH, type Group } from "./probe";
 
-/** So many stretches are fetched for exact curves: some 65,000 segments. */
+/** Max number of stretches fetched for exact curves: some 65,000 segments. */
 const MOST_STRETCHES = 4;
 
-/** Whether there is more in a stretch of time than exact curves are drawn of. */
+/** True if a stretch of time has more data than exact curves are drawn from. */
 export function isTooMuch(segments: Segments, from_s: number, to_s: number): boolean {
   return segments.isLong && lackingWithin(segments, from_s, to_s, MOST_STRETCHES + 1) > MOST_STRETCHES;
 }
 
-/** How many stretches there are that may have to be fetched; counted up to `most`. */
+/** Returns the number of stretches that may have to be fetched; counted up to `most`. */
 function lackingWithin({ stretches }: Segments, from_s: number, to_s: number, most: number): number {
   let count = 0;
   for (const { whole, start_s, end_s } of stretches) {
@@ -29,7 +29,7 @@ export function fetchWithin(segments: Segments, from_s: number, to_s: number): v
   }
 }
 
-/** Lowest and highest mean speed of blocks for each column of pixels; of all else nothing. */
+/** Returns the lowest and highest mean speed of blocks for each column of pixels; no other values. */
 export function overviewOf(segments: Segments, group: Group, width: number, from_s: number, to_s: number, columns: number): Curves {
   const curves: Curves = { t_s: [], values: Array.from({ length: width }, () => []), areColumns: true };
   if (group !== "path") return curves;

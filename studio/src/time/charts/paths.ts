@@ -1,4 +1,4 @@
-// How curves are drawn: exact samples as a line; lowest and highest values for each column of pixels as the area
+// Drawing of curves: exact samples as a line; lowest and highest values for each column of pixels as the area
 // between them, which takes a fraction of the time of lines up and down.
 
 import uPlot from "uplot";
@@ -12,7 +12,7 @@ export const linePaths: uPlot.Series.PathBuilder = (plot, series, first, last) =
   return paths && { ...paths, fill: null };
 };
 
-/** Values come in pairs, the lowest and the highest of a column. */
+/** Draws values in pairs, the lowest and the highest of a column. */
 export const areaPaths: uPlot.Series.PathBuilder = (plot, series, first, last) => {
   const [xs, ys] = [plot.data[0], plot.data[series]];
   const scale = plot.series[series].scale!;

@@ -1,4 +1,4 @@
-// What charts show of a segment, exactly, from its closed forms.
+// Exact chart values of a segment, from its closed forms.
 
 import { breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
 import type { Part } from "../../run/evaluate";
@@ -7,16 +7,19 @@ import { lawLength, newRange, widenByLaw } from "../../run/law";
 import { isRapid, type Segments } from "../../run/segments";
 import type { Chunk } from "../../run/stretch";
 
-/** What is evaluated together: of the path its speed, acceleration and feed asked for; or one value for each joint. */
+/**
+ * Values that are evaluated together: for the path its speed, acceleration and programmed feed; else one
+ * value for each joint.
+ */
 export type Group = "path" | "position" | "speed" | "acceleration";
 export const PATH = { speed: 0, acceleration: 1, feed: 2 } as const;
 
 const NOTHING = newRange();
 const CURVED_SAMPLES = 8;
-// A law has two values of acceleration where its pieces meet: what is before, and what is behind.
+// A law has two accelerations at the boundary of its parts: one before, and one after.
 export const BEHIND_S = 1e-9;
 
-/** One segment, and where it is in its chunk. */
+/** One segment, and its index in its chunk. */
 export interface Spot {
   chunk: Chunk;
   i: number;
@@ -42,7 +45,7 @@ export class Probe {
     return here && { chunk: here[0], i: here[1], part: this.segments.part(...here) };
   }
 
-  /** Values `t_s` after the segment's start, in mm or rad and s; NaN: no feed was asked for. */
+  /** Sets the values `t_s` after the segment's start, in mm or rad and s; NaN: no programmed feed. */
   put({ chunk, i, part }: Spot, t_s: number, out: Float64Array): void {
     const records = this.segments.records(chunk);
     if (this.group === "path") {
@@ -57,14 +60,14 @@ export class Probe {
     out.set(group === "position" ? state.position : group === "speed" ? state.velocity : state.acceleration);
   }
 
-  /** Instants of a segment where something may jump or be at its highest, in order. */
+  /** Returns the instants of a segment at which a value may jump or have its maximum, in order. */
   breaks_s({ chunk, part }: Spot): number[] {
     return breaksOf_s(this.segments.records(chunk), part)
       .filter((t_s) => t_s > 0 && t_s < part.duration_s)
       .sort((a, b) => a - b);
   }
 
-  /** Widens `low` and `high` to all that a segment comes to. */
+  /** Widens `low` and `high` by all values of a segment. */
   widen(spot: Spot, low: Float32Array, high: Float32Array, at: number): void {
     const { chunk, part } = spot;
     if (this.group === "path" && !(part.flags & NOT_BY_LEAD)) return this.widenPath(spot, low, high, at);
@@ -74,7 +77,7 @@ export class Probe {
     this.widenWithin(spot, 0, part.duration_s, low, high, at);
   }
 
-  /** The same, of a part of a segment, by samples; where laws change they are exact. */
+  /** Widens by part of a segment, from samples; exact at changes of laws. */
   widenWithin(spot: Spot, from_s: number, to_s: number, low: Float32Array, high: Float32Array, at: number): void {
     const take = (t_s: number) => {
       this.put(spot, t_s, this.point);
@@ -118,7 +121,7 @@ export class Probe {
     }
   }
 
-  // A factor of 0 is a joint that stands, whatever the law.
+  // A factor of 0 is a joint at standstill, whatever the law.
   private widenBoth(low: Float32Array, high: Float32Array, at: number, law: number, factor: number): void {
     for (let side = law; side < law + 2; ++side) {
       const value = this.law[side];
@@ -127,7 +130,7 @@ export class Probe {
   }
 }
 
-/** With these the speed along the path is not that of the lead alone. */
+/** With these flags the speed along the path is not that of the leading law alone. */
 const NOT_BY_LEAD = Flag.beside | Flag.apart;
 
 function feedOf(chunk: Chunk, i: number): number {

@@ -1,10 +1,10 @@
-// Curves of a series over a stretch of time: its instants where they are few, else lowest and highest values for
+// Curves of a series over a stretch of time: its instants if they are few, else lowest and highest values for
 // each column of pixels.
 
 import type { Series } from "../../run/series";
 import { push, type Curves } from "./curves";
 
-/** `columns`: how many pixels the stretch is wide. */
+/** `columns`: width of the stretch in pixels. */
 export function seriesCurves(series: Series, from_s: number, to_s: number, columns: number): Curves {
   const curves: Curves = { t_s: [], values: series.channels.map(() => []), areColumns: false };
   if (series.count === 0 || !(to_s > from_s)) return curves;
@@ -26,7 +26,7 @@ function putInstants(series: Series, first: number, last: number, from_s: number
   put(to_s);
 }
 
-/** Each is as high at its end as at its start. */
+/** Adds steps; each has the same value at its end as at its start. */
 function putSteps(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
   curves.areColumns = true;
   for (let step = Math.max(first, 0); step <= Math.min(last, series.count - 1); ++step) {
@@ -47,7 +47,7 @@ function putColumns(series: Series, from_s: number, to_s: number, columns: numbe
     const end_s = begin_s + step_s;
     const first = series.indexAt(begin_s) + (series.step_s > 0 ? 0 : 1);
     const [low, high] = extremes(series, first, series.indexAt(end_s));
-    // Between two instants there is a value at either edge.
+    // Between two instants, both edges have interpolated values.
     for (const t_s of series.step_s > 0 ? [] : [begin_s, end_s]) {
       series.put(t_s, edge);
       for (let j = 0; j < edge.length; ++j) {
@@ -60,7 +60,7 @@ function putColumns(series: Series, from_s: number, to_s: number, columns: numbe
   }
 }
 
-/** From one instant or step to another one; NaN where there is no value. */
+/** Returns the extremes from one instant or step to another; NaN if without values. */
 function extremes(series: Series, first: number, last: number): [low: Float32Array, high: Float32Array] {
   const low = new Float32Array(series.width).fill(Infinity);
   const high = new Float32Array(series.width).fill(-Infinity);

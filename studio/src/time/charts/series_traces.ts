@@ -1,4 +1,4 @@
-// What charts of forces, power and following errors draw.
+// Traces in charts of forces, power and following errors.
 
 import { axisColour, orange } from "../../core/colours";
 import type { Units } from "../../core/store";
@@ -41,7 +41,7 @@ function errorTrace(series: Series, axis: Axis, joint: number, { units }: Choice
   return { ...own, scale: "mm", unit: lengthUnit(units), factor: length(1, units) };
 }
 
-/** Where the motor brings up less at some speeds its limit is drawn over time, either way. */
+/** If the motor is weaker at some speeds, its limit is drawn over time, in both directions. */
 function effortTraces(series: Series, axis: Axis, joint: number, percent: boolean): Trace[] {
   const { letter, motor_peak: peak, motor_fades: fades } = axis;
   const colour = axisColour(joint);

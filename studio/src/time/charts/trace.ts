@@ -1,9 +1,9 @@
-// One curve of a chart, and what is chosen of all.
+// One curve of a chart, and the options for all.
 
 import type { Units } from "../../core/store";
 import type { Limit } from "./limit_lines";
 
-/** Values that share a unit share a scale. */
+/** Scales; values with the same unit share one. */
 export type ScaleId = "mm" | "deg" | "percent" | "force" | "torque" | "power";
 
 export interface Trace {
@@ -13,12 +13,12 @@ export interface Trace {
   dashed: boolean;
   scale: ScaleId;
   unit: string;
-  /** Shown is `offset` and `factor` times what the segments have (mm or rad, s). */
+  /** The shown value is `offset` plus `factor` times that of the segments (mm or rad, s). */
   factor: number;
   offset: number;
   /** Whether the scale always shows 0. */
   fromZero: boolean;
-  /** Whether it is a limit that others are held against, which is out of sight where it is far beyond them. */
+  /** True if it is a limit for the others, which is not shown if it is far beyond them. */
   isLimit?: boolean;
   limits: Limit[];
 }

@@ -1,4 +1,4 @@
-// What each chart draws: its curves, in which unit, and the limits that they are held against.
+// Contents of each chart: its curves, their unit, and their limits.
 
 import { axisColour, orange } from "../../core/colours";
 import type { Units } from "../../core/store";
@@ -22,7 +22,7 @@ type LawChartId = (typeof lawCharts)[number];
 export type ChartId = LawChartId | SeriesChartId;
 export const chartIds: readonly ChartId[] = [...lawCharts, ...seriesCharts];
 
-/** What a chart's values come from: laws of segments, or a series. */
+/** Source of a chart's values: laws of segments, or a series. */
 export const sourceOf: Record<ChartId, Group | SeriesKind> = {
   speed: "path",
   acceleration: "path",
@@ -37,11 +37,11 @@ export const sourceOf: Record<ChartId, Group | SeriesKind> = {
 
 const isSeriesChart = (id: ChartId): id is SeriesChartId => seriesCharts.some((each) => each === id);
 
-/** Which charts there are of a robot. */
+/** Returns the available charts of a robot. */
 export const chartsOf = (robot: Robot | undefined): ChartId[] =>
   chartIds.filter((id) => !isSeriesChart(id) || robot?.series.has(sourceOf[id] as SeriesKind));
 
-/** The unit of a chart's values on a scale. */
+/** Returns the unit of a chart's values on a scale. */
 function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {
   if (scale === "percent") return "%";
   const way = scale === "deg" ? "°" : lengthUnit(units);

@@ -1,12 +1,12 @@
-// What of a handle is taken hold of: an arrow moves along its axis, the dot in the middle in a plane, a ring turns. Where they
-// are on the screen, and what a pull at them does.
+// Grips of a handle: an arrow moves along its axis, the dot in the middle in a plane, a ring rotates. This
+// module has their positions on the screen, and the effect of a drag.
 
 import { Matrix4, Plane, Quaternion, Ray, Raycaster, Vector2, Vector3 } from "three";
 import type { CameraRig } from "../camera";
 
 export interface Grip {
   kind: "move" | "plane" | "turn";
-  /** The axis of the work frame: of a plane its normal. */
+  /** Axis of the work frame; for a plane its normal. */
   axis: 0 | 1 | 2;
 }
 
@@ -15,21 +15,21 @@ export const ARROW_PX = 64;
 export const RING_PX = 84;
 const REACH_PX = 7;
 const RING_STEPS = 64;
-/** Nearer to the middle arrows cannot be told apart. */
+/** Distance from the middle within which arrows cannot be distinguished. */
 const MIDDLE_PX = 9;
-/** A plane that is seen under less than this (sine) is no ground to pull on. */
+/** Sine of the smallest view angle of a plane that can be used for a drag. */
 const LEAST_SINE = 0.2;
 
 export const unitOf = (axis: number): Vector3 => new Vector3().setComponent(axis, 1);
 
-/** A point of a ring about an axis, of radius 1. */
+/** Returns a point of a ring about an axis, of radius 1. */
 export function ringPoint(axis: number, angle: number): Vector3 {
   const point = new Vector3();
   point.setComponent((axis + 1) % 3, Math.cos(angle));
   return point.setComponent((axis + 2) % 3, Math.sin(angle));
 }
 
-/** Where a handle is: at a place of the work frame. */
+/** Position of a handle in the work frame, and its view. */
 export interface Stand {
   work: Matrix4;
   at: Vector3;
@@ -46,7 +46,7 @@ const onScreen = ({ work, rig }: Stand, point: Vector3): Vector2 | null => {
   return seen && new Vector2(seen.x, seen.y);
 };
 
-/** Towards the eye, in the work frame. */
+/** Returns the direction towards the camera, in the work frame. */
 const backOf = ({ work, rig }: Stand): Vector3 => rig.basis().back.transformDirection(work.clone().invert());
 
 function distanceToPiece(p: Vector2, a: Vector2, b: Vector2): number {
@@ -56,14 +56,14 @@ function distanceToPiece(p: Vector2, a: Vector2, b: Vector2): number {
   return p.distanceTo(way.multiplyScalar(share).add(a));
 }
 
-/** The plane of the work that is seen best. */
+/** Returns the plane of the work with the best view. */
 export function planeSeen(stand: Stand): 0 | 1 | 2 {
   const [x, y, z] = backOf(stand).toArray().map(Math.abs);
-  // The level one, unless it is seen from its edge.
+  // The horizontal plane, unless it is seen edge-on.
   return z > 0.35 ? 2 : x > y ? 0 : 1;
 }
 
-/** null: there is none at that place of the screen. */
+/** Returns null if no grip is at that position of the screen. */
 export function gripAt(stand: Stand, x_px: number, y_px: number, turns: boolean): Grip | null {
   const pointer = new Vector2(x_px, y_px);
   const middle = onScreen(stand, stand.at);
@@ -89,14 +89,14 @@ export function gripAt(stand: Stand, x_px: number, y_px: number, turns: boolean)
   return (best as { grip: Grip } | null)?.grip ?? null;
 }
 
-/** From the eye through a place of the screen, in the work frame. */
+/** Returns the ray from the camera through a position of the screen, in the work frame. */
 function rayAt({ work, rig, width_px, height_px }: Stand, x_px: number, y_px: number): Ray {
   const caster = new Raycaster();
   caster.setFromCamera(new Vector2((2 * x_px) / width_px - 1, 1 - (2 * y_px) / height_px), rig.camera);
   return caster.ray.applyMatrix4(work.clone().invert());
 }
 
-/** How far along an axis through a place a ray comes nearest to it, mm. */
+/** Returns the position along an axis that is nearest to a ray, mm from `at`. */
 function alongAxis(ray: Ray, at: Vector3, axis: Vector3): number | null {
   const between = at.clone().sub(ray.origin);
   const slant = axis.dot(ray.direction);
@@ -105,7 +105,7 @@ function alongAxis(ray: Ray, at: Vector3, axis: Vector3): number | null {
   return (slant * ray.direction.dot(between) - axis.dot(between)) / sine2;
 }
 
-/** A pull at a grip: what the pointer's place does to the point. */
+/** Drag of a grip: converts the pointer position to a motion of the point. */
 export class Pull {
   private readonly begun: number | Vector3 | null;
 
@@ -117,7 +117,7 @@ export class Pull {
     this.begun = this.measure(start_px.x, start_px.y);
   }
 
-  /** Along the axis, in the plane, or the angle about the axis. */
+  /** Measures along the axis, in the plane, or the angle about the axis. */
   private measure(x_px: number, y_px: number): number | Vector3 | null {
     const { stand, grip } = this;
     const axis = unitOf(grip.axis);
@@ -131,7 +131,7 @@ export class Pull {
     return Math.atan2(off.getComponent((grip.axis + 2) % 3), off.getComponent((grip.axis + 1) % 3));
   }
 
-  /** How far the point has gone by a pull to a place, mm, in whole steps. */
+  /** Returns the motion of the point for a drag to a position, mm, in full steps. */
   shift(x_px: number, y_px: number): Vector3 {
     const now = this.measure(x_px, y_px);
     const { begun, grip } = this;
@@ -142,7 +142,7 @@ export class Pull {
     return new Vector3(...shift.toArray().map((mm) => Math.round(mm / step) * step));
   }
 
-  /** How the tool has turned by a pull to a place. */
+  /** Returns the rotation of the tool for a drag to a position. */
   turn(x_px: number, y_px: number): Quaternion {
     const now = this.measure(x_px, y_px);
     const isOnRing = typeof now === "number" && typeof this.begun === "number";
@@ -151,7 +151,7 @@ export class Pull {
     return new Quaternion().setFromAxisAngle(unitOf(this.grip.axis), rounded);
   }
 
-  /** A ring that is seen from its edge is pulled along itself. */
+  /** Measures a ring that is seen edge-on along its tangent. */
   private angleByTangent(x_px: number, y_px: number): number {
     const away = backOf(this.stand).cross(unitOf(this.grip.axis)).negate();
     const [from, to] = [this.stand.at, this.stand.at.clone().addScaledVector(away, scaleOf(this.stand))];

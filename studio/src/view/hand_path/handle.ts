@@ -1,4 +1,4 @@
-// The handle of a point: arrows, a dot and rings of one size on the screen, and the direction of the tool.
+// Handle of a point: arrows, a dot and rings of constant size on the screen, and the direction of the tool.
 
 import {
   BufferGeometry,
@@ -68,8 +68,8 @@ export class Handle {
   }
 
   /**
-   * Puts it at a point; `up` is where the tool stands from there (null: not known, or there is none), `held` what is taken
-   * hold of, `turns` whether there are rings.
+   * Places it at a point; `up` is the direction to the tool from there (null: not known, or none), `held` the
+   * grabbed grip, `turns` true if it has rings.
    */
   place(stand: Stand, up: Vector3 | null, held: Grip | null, turns = up !== null): void {
     this.group.matrix.copy(stand.work);

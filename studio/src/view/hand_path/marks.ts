@@ -1,4 +1,4 @@
-// A path by hand as it is drawn: its motions as lines and arcs with arrows, its points as dots.
+// Drawing of a manual path: its motions as lines and arcs with arrows, its points as dots.
 
 import {
   BufferAttribute,
@@ -38,7 +38,7 @@ interface Dot {
   at: Vector3;
 }
 
-/** Round, where points are squares. */
+/** Creates round dots; points are squares by default. */
 function roundDots(size_px: number): PointsMaterial {
   const material = new PointsMaterial({ size: size_px, sizeAttenuation: false, depthTest: false, transparent: true });
   material.onBeforeCompile = (shader) => {
@@ -48,7 +48,7 @@ function roundDots(size_px: number): PointsMaterial {
   return material;
 }
 
-/** Pairs of ends of the pieces that a motion is drawn by. */
+/** Adds pairs of ends of the lines that draw a motion. */
 function putMotion({ from_mm, to_mm, arc }: Motion, into: number[]): void {
   let at = from_mm!;
   for (const next of arc ? sampleArc(arc, CHORD_MM) : [to_mm]) {
@@ -75,7 +75,7 @@ export class PathMarks {
       part.frustumCulled = false;
       this.group.add(part);
     }
-    // Dots stand on lines.
+    // Dots are drawn over lines.
     this.points.renderOrder = 1;
   }
 
@@ -96,13 +96,13 @@ export class PathMarks {
     for (const { material } of [this.cuts, this.rapids, this.points, this.arrows]) material.color.copy(colours.handPath);
   }
 
-  /** For a frame in which the path stands. */
+  /** Places it for the frame of the path. */
   place(work: Matrix4, rig: CameraRig): void {
     this.group.matrix.copy(work);
     this.rapids.material.scale = 1 / rig.mmPerPixel;
   }
 
-  /** Lays arrows anew for what the eye sees. */
+  /** Updates the arrows for the current view. */
   lay(work: Matrix4, rig: CameraRig): void {
     const back = rig.basis().back.transformDirection(work.clone().invert());
     const corners: number[] = [];
@@ -119,7 +119,7 @@ export class PathMarks {
     this.arrows.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
   }
 
-  /** Points within some pixels of a place on the screen, the nearest first. */
+  /** Returns points within some pixels of a position on the screen, the nearest first. */
   near(x_px: number, y_px: number, reach_px: number, work: Matrix4, rig: CameraRig): Dot[] {
     const world = new Vector3();
     const found: { dot: Dot; away_px: number }[] = [];
@@ -128,7 +128,7 @@ export class PathMarks {
       const away_px = seen ? Math.hypot(seen.x - x_px, seen.y - y_px) : Infinity;
       if (away_px <= reach_px) found.push({ dot, away_px });
     }
-    // Of those at one place the first one is first.
+    // Points at one position keep their order.
     return found.sort((a, b) => Math.round(a.away_px - b.away_px)).map(({ dot }) => dot);
   }
 }

@@ -1,4 +1,5 @@
-// The path by hand in the view: drawn over all else; a click on a point chooses it, its handle moves it and turns the tool.
+// Manual path in the view: drawn over all else; a click on a point selects it, its handle moves it and
+// rotates the tool.
 
 import { Box3, Matrix4, Scene, Vector2, Vector3, type WebGLRenderer } from "three";
 import { editPath, pathShown } from "../../core/path_desk";
@@ -27,7 +28,7 @@ export class PathHand implements Hold {
   private held: Grip | null = null;
   private work = new Matrix4();
   private pulling: { cancel(): void } | null = null;
-  /** The file that has been brought to sight. */
+  /** File that was last brought into view. */
   private seen = "";
 
   constructor(private readonly on: HoldPlace) {
@@ -52,7 +53,7 @@ export class PathHand implements Hold {
     return seen !== null && seen.x > 0 && seen.y > 0 && seen.x < width_px && seen.y < height_px;
   }
 
-  /** A point beside the screen that is chosen comes to its middle. */
+  /** Centres a chosen point that is outside the screen. */
   private bringToSight(): void {
     const { chosen } = this;
     const at = chosen && new Vector3(...chosen.point.position_mm);
@@ -74,7 +75,7 @@ export class PathHand implements Hold {
     this.handle.recolour(colours);
   }
 
-  /** The chosen point, as the file has it. */
+  /** Chosen point, as in the file. */
   private get chosen(): { place: Place; point: Point; shown: PathShown } | null {
     const { shown } = this;
     const place = this.on.store.get("pathPoint");
@@ -82,7 +83,7 @@ export class PathHand implements Hold {
     return shown && place && point ? { place, point, shown } : null;
   }
 
-  /** What holds at the chosen point: its own orientation, or the one before it. */
+  /** Returns the orientation at the chosen point: its own, or the one before it. */
   private orientation(): Orientation {
     const { chosen } = this;
     return chosen ? stateBehind(chosen.shown.walk.before.get(keyOfPlace(chosen.place)) ?? {}, chosen.point) : {};
@@ -118,7 +119,7 @@ export class PathHand implements Hold {
     if (this.shown) this.marks.lay(this.work, this.on.rig);
   }
 
-  /** Chooses the point at a place of the screen; of several there the one behind the chosen one. */
+  /** Chooses the point at a position of the screen; among several there, the one after the chosen one. */
   click(x_px: number, y_px: number): boolean {
     if (!this.shown) return false;
     const near = this.marks.near(x_px, y_px, REACH_PX, this.work, this.on.rig);
@@ -146,7 +147,7 @@ export class PathHand implements Hold {
     return stand && gripAt(stand, x_px, y_px, this.direction() !== null);
   }
 
-  /** Takes hold of the handle, where it is under the pointer. What is pulled is seen at once, and kept when it is let go. */
+  /** Grabs the handle if it is under the pointer. A drag is shown at once, and stored on release. */
   grab(x_px: number, y_px: number): Grabbed | null {
     const { chosen } = this;
     const { store } = this.on;
@@ -176,7 +177,7 @@ export class PathHand implements Hold {
         if (!this.pulling) return;
         end();
         const label = grip.kind === "turn" ? words.turn : words.move;
-        // What was seen on the way is no state of the file.
+        // States shown during the drag are not states of the file.
         store.set("path", chosen.shown);
         if (text !== chosen.shown.text) editPath(store, this.on.session, label, text);
       },

@@ -1,4 +1,4 @@
-// A chain of joints that is no gantry, as drums and bars between them.
+// Drawing of a chain of joints that is not a gantry, as drums and bars between them.
 
 import { Vector3 } from "three";
 import { lengthOf, type Skeleton } from "./frame_of_axes";

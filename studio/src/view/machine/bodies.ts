@@ -1,4 +1,4 @@
-// The bodies of a scene, in their frames.
+// Bodies of a scene, in their frames.
 
 import { EdgesGeometry, Group, LineSegments, Mesh, type Matrix4 } from "three";
 import type { Places } from "../../run/chain";
@@ -17,7 +17,7 @@ interface Standing {
 export class Bodies {
   readonly group = new Group();
   private readonly standing: Standing[] = [];
-  /** Frames that are moved by hand, and how far. */
+  /** Frames moved by hand, with their offsets. */
   private readonly carried = new Set<number>();
   private way: Matrix4 | null = null;
 
@@ -58,7 +58,7 @@ export class Bodies {
     }
   }
 
-  /** What is in a frame, or attached to what is, stands elsewhere from now on; null: where it is. */
+  /** Moves the contents of a frame, including attached frames, from now on; null: back to their place. */
   carry(frame: number, way: Matrix4 | null): void {
     this.way = way;
     this.carried.clear();
@@ -67,7 +67,7 @@ export class Bodies {
     });
   }
 
-  /** `look` tells how a body looks now, by its name; undefined: as its role does. */
+  /** `look` returns the current look of a body, by its name; undefined: that of its role. */
   light(look: (name: string) => Role | undefined): void {
     for (const { body, mesh } of this.standing) mesh.material = this.looks.solid[look(body.name) ?? body.role];
   }

@@ -1,4 +1,4 @@
-// The axes of a machine as a drawing of it needs them: where each goes or turns with all joints at 0.
+// Axes of a machine for a drawing of it: position and direction of each with all joints at 0.
 
 import { Vector3 } from "three";
 import type { Places } from "../../run/chain";
@@ -12,17 +12,17 @@ export interface DrawnAxis {
   along: Vector3;
   origin: Vector3;
   travel: Travel;
-  /** What carries it: a link by number. */
+  /** Number of the link that carries it. */
   parent: number;
 }
 
 export interface Skeleton {
   tool: DrawnAxis[];
   work: DrawnAxis[];
-  /** The tool centre point, and the origin of the work. */
+  /** Tool centre point, and the origin of the work. */
   tip: Vector3;
   ground: Vector3;
-  /** What a round size of its parts is, mm. */
+  /** Typical round size of its parts, mm. */
   gauge_mm: number;
 }
 

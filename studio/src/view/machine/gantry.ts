@@ -1,4 +1,5 @@
-// A machine whose tool goes along straight axes, the upright one last: rails, a bridge with a carriage, a ram.
+// Drawing of a machine with a tool on straight axes, the vertical one last: rails, a bridge with a carriage,
+// a ram.
 
 import { Vector3 } from "three";
 import { isUpright, lengthOf, type DrawnAxis, type Skeleton } from "./frame_of_axes";
@@ -9,7 +10,7 @@ const Z = new Vector3(0, 0, 1);
 interface Heights {
   low: number;
   high: number;
-  /** From the tip to where the ram begins. */
+  /** Distance from the TCP to the start of the ram. */
   head: number;
   bridge: number;
 }
@@ -31,7 +32,7 @@ function heightsOf(skeleton: Skeleton, upright: DrawnAxis, gauge: number): Heigh
   return { low, high, head, bridge: high + head + 1.8 * gauge };
 }
 
-/** Rails, bridge and carriage for the axes before the upright one. */
+/** Draws rails, bridge and carriage for the axes before the vertical one. */
 function buildBridge(parts: Parts, skeleton: Skeleton, level: DrawnAxis[], heights: Heights): void {
   const { tip, gauge_mm: g } = skeleton;
   const [first, second] = level.length === 2 ? level : [null, level[0]];
@@ -64,7 +65,7 @@ export function buildGantry(parts: Parts, skeleton: Skeleton): void {
   const level = straight.slice(0, -1);
   const heights = heightsOf(skeleton, upright, g);
   if (level.length > 0) buildBridge(parts, skeleton, level, heights);
-  // At the lowest place its upper end still stands in the carriage.
+  // At the lowest position its upper end is still in the carriage.
   const bottom = tip.z + heights.head;
   const top = tip.z + heights.bridge - heights.low + 1.6 * g;
   const u = level[0]?.along ?? new Vector3(1, 0, 0);
@@ -74,7 +75,7 @@ export function buildGantry(parts: Parts, skeleton: Skeleton): void {
   for (const axis of tool) if (axis.rotary) buildTurning(parts, skeleton, axis, heights.head);
 }
 
-/** A drum on the tool's own axis where the joint turns about it; else an arm beside the tool. */
+/** Draws a drum on the tool's own axis if the joint rotates about it; else an arm next to the tool. */
 function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, head: number): void {
   const { tip, gauge_mm: g } = skeleton;
   const offset = axis.origin.z - tip.z;
@@ -92,7 +93,7 @@ function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, head: n
   parts.bar(axis.joint + 1, above(offset, aside - 0.35 * g), above(held, 0), 0.14 * g, "structure");
 }
 
-/** Size of the area that the tool goes over, along the axes that are level. */
+/** Returns the area that the tool covers, along the horizontal axes. */
 export function areaOf({ tool, work }: Skeleton): { low: Vector3; high: Vector3 } {
   const low = new Vector3();
   const high = new Vector3();

@@ -1,4 +1,4 @@
-// Materials of bodies by role, one set for the whole view, so that a change of theme reaches all.
+// Materials of bodies by role, one set for the complete view, so that a change of theme reaches all.
 
 import { DoubleSide, FrontSide, LineBasicMaterial, MeshBasicMaterial, MeshLambertMaterial, type Material } from "three";
 import type { Palette } from "../theme";
@@ -11,7 +11,7 @@ const lit = (opacity = 1) =>
     transparent: opacity < 1,
     opacity,
     depthWrite: opacity === 1,
-    // What lies in the work plane, as a way on a sheet does, stays before the surface.
+    // Lines in the work plane, as a path on flat material, are drawn in front of the surface.
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 2,

@@ -1,4 +1,4 @@
-// One robot of a run: its bodies, or what stands in for them, and its tool.
+// One robot of a run: its bodies, or a substitute for them, and its tool.
 
 import { Group, Vector3 } from "three";
 import type { Places } from "../../run/chain";
@@ -16,12 +16,12 @@ import { travels } from "./travel";
 /** A robot at an instant. */
 export interface Instant {
   places: Places;
-  /** The segment under way; -1: nothing moves. */
+  /** Active segment; -1: nothing moves. */
   segment: number;
   tip: number;
   tip_mm: Vector3;
   processOn: boolean;
-  /** Whether the joints are not here yet: the machine stands as it was known last, the tip is where the way is. */
+  /** True if the joints are not loaded yet: the machine keeps its last known pose, the TCP is on the path. */
   isLate: boolean;
 }
 
@@ -58,7 +58,7 @@ export class Machine {
     this.group.matrixAutoUpdate = false;
   }
 
-  /** At an instant of the run; `jog`: with other joints (mm, rad), at rest. */
+  /** Returns the state at an instant of the run; `jog`: with other joints (mm, rad), at standstill. */
   at(t_s: number, jog: ArrayLike<number> | null = null): Instant {
     const { robot } = this;
     const known = jog ?? robot.joints_at(t_s);

@@ -1,5 +1,5 @@
-// Parts of a machine that is drawn from its joints: each is put down where it stands with all joints at 0, and goes
-// with a link from there.
+// Parts of a machine that is drawn from its joints: each is placed at its pose with all joints at 0, and
+// moves with a link from there.
 
 import { BoxGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, Quaternion, Vector3, type BufferGeometry } from "three";
 import type { Places } from "../../run/chain";
@@ -19,7 +19,7 @@ export class Parts {
   private readonly parts: Part[] = [];
 
   constructor(
-    /** Where everything is with all joints at 0. */
+    /** Poses with all joints at 0. */
     readonly zero: Places,
     private readonly looks: Looks,
   ) {}
@@ -35,14 +35,14 @@ export class Parts {
     this.parts.push({ link, mesh, inLink: this.zero.links[link].clone().invert().multiply(pose) });
   }
 
-  /** A box along two directions and the one square to them. */
+  /** Adds a box along two directions and their normal. */
   box(link: number, middle: Vector3, size_mm: [number, number, number], u: Vector3, v: Vector3, role: Role): void {
     const w = u.clone().cross(v);
     const pose = new Matrix4().makeBasis(u, v, w).setPosition(middle);
     this.add(link, new BoxGeometry(...size_mm), pose, role);
   }
 
-  /** A round bar from one place to another. */
+  /** Adds a round bar from one position to another. */
   bar(link: number, from: Vector3, to: Vector3, radius_mm: number, role: Role): void {
     const way = to.clone().sub(from);
     const length_mm = way.length();

@@ -15,7 +15,7 @@ import type { Point, Shape } from "../../run/scene";
 
 const ROUND = 32;
 
-/** Along Z, as the engine has them. */
+/** Returns a cylinder along Z, as in the engine. */
 export const cylinder = (radius_mm: number, height_mm: number, top_mm = radius_mm): CylinderGeometry => {
   const geometry = new CylinderGeometry(top_mm, radius_mm, height_mm, ROUND);
   geometry.rotateX(Math.PI / 2);
@@ -30,7 +30,7 @@ function capsule(a: Vector3, b: Vector3, radius_mm: number): BufferGeometry {
   return geometry.translate(middle.x, middle.y, middle.z);
 }
 
-/** The hull of spheres of one radius about points; near enough from spheres of few corners. */
+/** Returns the hull of spheres of one radius about points; spheres of few corners are near enough. */
 function hull(points: Vector3[], margin_mm: number): BufferGeometry {
   if (margin_mm <= 0) return points.length > 3 ? new ConvexGeometry(points) : new BufferGeometry().setFromPoints(points);
   const ball = new SphereGeometry(margin_mm, 12, 8).getAttribute("position");

@@ -1,4 +1,4 @@
-// A machine of which no bodies are known, drawn from its joints.
+// Drawing from the joints for a machine without known bodies.
 
 import type { Robot } from "../../run/run";
 import type { Report } from "../../run/report";
@@ -11,7 +11,7 @@ import { Parts } from "./parts";
 import { travels } from "./travel";
 import { buildTable } from "./worktable";
 
-/** The links (0 the world) that bodies of the machine hang on. */
+/** Returns the links (0 the world) that have bodies of the machine. */
 function linksWithBodies({ frames = [], bodies = [] }: Scene): Set<number> {
   const linkOf = (index: number): number => {
     const frame = frames[index];
@@ -20,7 +20,7 @@ function linksWithBodies({ frames = [], bodies = [] }: Scene): Set<number> {
   return new Set(bodies.filter((body) => body.role === "machine").map((body) => linkOf(body.frame)));
 }
 
-/** null: its bodies show the machine well enough. */
+/** Returns null if its bodies show the machine well enough. */
 export function standInFor(robot: Robot, report: Report | null, looks: Looks): Parts | null {
   const { scene, chain } = robot;
   const known = linksWithBodies(scene);

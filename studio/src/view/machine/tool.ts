@@ -1,4 +1,5 @@
-// The tool: a shank from the tool centre point to the tip and beyond, the tip itself, and the jet.
+// Tool: a shank from the tool centre point (without tool offset) to the TCP and beyond, the TCP itself, and
+// the jet.
 
 import { ConeGeometry, Group, Matrix4, Mesh, Vector3 } from "three";
 import type { Places } from "../../run/chain";
@@ -7,14 +8,14 @@ import type { Looks } from "./looks";
 import { cylinder } from "./shapes";
 
 const JET_MM = 1;
-// Of a round size of the machine's parts; a tool with bodies of its own only gets a point.
+// Thickness relative to the round size of the machine's parts; a tool with its own bodies only gets a point.
 const THICK = 0.16;
 const THIN = 0.04;
 
-/** From the tool centre point to what holds the tool, along the tool's Z, mm. */
+/** Returns the distance from the tool centre point to the tool holder, along the tool's Z, mm. */
 const holderOf = (robot: Robot): number => new Matrix4().fromArray(robot.scene.tool_side.end).invert().elements[14];
 
-/** Which way the tool stands from its tip: up where it can be told no other way. */
+/** Returns the direction of the tool from its TCP: up if it cannot be determined otherwise. */
 function shankSign(robot: Robot): number {
   const away = holderOf(robot);
   if (Math.abs(away) > 1) return Math.sign(away);
@@ -34,7 +35,7 @@ export class Tool {
   constructor(
     private readonly robot: Robot,
     looks: Looks,
-    /** A round size of the machine's parts. */
+    /** Round size of the machine's parts. */
     private readonly gauge_mm: number,
     hasBodies: boolean,
   ) {
@@ -44,7 +45,7 @@ export class Tool {
     this.shank.visible = !hasBodies;
     const radius = (hasBodies ? THIN : THICK) * gauge_mm;
     this.radius_mm = radius;
-    // A cone that stands on its point.
+    // Cone with its point at the bottom.
     this.point.geometry = new ConeGeometry(radius, 3 * radius, 24).rotateX(-Math.PI / 2).translate(0, 0, 1.5 * radius);
     this.shank.geometry = cylinder(radius, 1).translate(0, 0, 0.5);
     this.jet.geometry = cylinder(JET_MM, 1).translate(0, 0, -0.5);
@@ -56,7 +57,7 @@ export class Tool {
     }
   }
 
-  /** Where the tip of a tool is in the world. */
+  /** Returns the position of a tool's TCP in the world. */
   tip(places: Places, tip: number): Vector3 {
     return new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0])).applyMatrix4(places.tool);
   }

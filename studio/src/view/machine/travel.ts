@@ -1,4 +1,5 @@
-// How far axes go in a drawing: their ranges, or where those are wide beside the work, what the run uses of them.
+// Travel of axes in a drawing: their ranges, or the part that the run uses if the ranges are wide compared
+// with the work.
 
 import type { Robot } from "../../run/run";
 import type { Report } from "../../run/report";
@@ -7,7 +8,7 @@ import { jointValue } from "../../run/chain";
 /** Lowest and highest value of a joint, mm or rad. */
 export type Travel = [number, number];
 
-// A range beyond this is there so that any program fits, and says nothing of the machine.
+// A range beyond this only lets any program fit, and does not describe the machine.
 const WIDE_MM = 6000;
 const SPARE_MM = 60;
 

@@ -1,4 +1,4 @@
-// What carries the work: a table that stands, one that goes along straight axes, one that turns or tilts.
+// Carrier of the work: a fixed table, one on straight axes, one that rotates or tilts.
 
 import { Vector3 } from "three";
 import { isUpright, type DrawnAxis, type Skeleton } from "./frame_of_axes";
@@ -8,7 +8,7 @@ import type { Parts } from "./parts";
 const X = new Vector3(1, 0, 0);
 const Y = new Vector3(0, 1, 0);
 
-/** The table at rest under all that the tool reaches. */
+/** Draws the fixed table below the area that the tool reaches. */
 function buildStanding(parts: Parts, skeleton: Skeleton): void {
   const { tip, gauge_mm: g } = skeleton;
   const { low, high } = areaOf(skeleton);
@@ -39,7 +39,7 @@ function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radius:
     parts.drum(axis.joint + 1, ground.clone().setZ(ground.z - 0.5 * g), axis.along, radius, 0.9 * g, "machine");
     return;
   }
-  // A cradle beneath the table, held at both ends where the axis goes through.
+  // A cradle beneath the table, held at both ends of its axis.
   const reach = radius + 1.2 * g;
   const floor = ground.z - 1.4 * g;
   const across = new Vector3(0, 0, 1).cross(axis.along).normalize();

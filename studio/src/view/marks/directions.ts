@@ -1,4 +1,4 @@
-// Arrows on the way, in spaces that one can read on the screen.
+// Arrows on the path, at legible distances on the screen.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3, type Matrix4 } from "three";
 import { lastIndex } from "../../run/search";
@@ -16,7 +16,7 @@ interface Screen {
   height_px: number;
 }
 
-/** How far a path has gone up to each so many vertices, mm: of ten million one could not keep all. */
+/** Distances along a path at every so many vertices, mm, because ten million could not all be kept. */
 class Ways {
   private static readonly STEP = 64;
   private readonly ways: Float64Array;
@@ -38,7 +38,10 @@ class Ways {
     this.total = way;
   }
 
-  /** The vertex that ends the piece where the path has gone so far, and how far along the piece that is, 0 to 1. */
+  /**
+   * Returns the vertex that ends the part at a distance along the path, and the position along that part, 0
+   * to 1.
+   */
   at(way: number): [vertex: number, share: number] {
     const { data } = this;
     const known = Math.max(lastIndex(this.ways.length, (i) => this.ways[i] <= way), 0);
@@ -83,7 +86,7 @@ export class Directions {
     this.material.color.copy(colours.marks);
   }
 
-  /** Lays them anew for what the eye sees. */
+  /** Updates the arrows for the current view. */
   lay(all: PathData[], frames: Matrix4[], rig: CameraRig, screen: Screen, rapids: boolean): void {
     const taken = new Set<number>();
     all.forEach((data, i) => {
@@ -129,7 +132,7 @@ export class Directions {
   }
 }
 
-/** A pyramid with its middle on a place. */
+/** Adds a pyramid with its middle at a position. */
 export function putArrow(corners: number[], at: Vector3, along: Vector3, length_mm: number, back: Vector3): void {
   const side = Math.abs(along.dot(back)) < 0.98 ? along.clone().cross(back) : along.clone().cross(new Vector3(1, 0.3, 0.2));
   side.setLength(0.32 * length_mm);

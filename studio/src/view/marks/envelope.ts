@@ -1,4 +1,4 @@
-// What the tip of the tool reaches, as a translucent body.
+// Reach of the TCP, as a translucent body.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial } from "three";
 import type { Palette } from "../theme";

@@ -1,4 +1,4 @@
-// The box about the way, with its sizes.
+// Box around the path, with its sizes.
 
 import { Box3, BufferGeometry, LineBasicMaterial, LineSegments, type Matrix4, Vector3 } from "three";
 import type { Units } from "../../core/store";

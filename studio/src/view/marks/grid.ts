@@ -1,4 +1,4 @@
-// A grid in round numbers on the work plane.
+// Grid in round numbers on the work plane.
 
 import { Box3, BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
 import { length, mmOf } from "../../core/units";
@@ -10,7 +10,7 @@ const BOLD = 5;
 
 const pale = (opacity: number) => new LineBasicMaterial({ transparent: true, opacity, depthWrite: false });
 
-/** 1, 2 or 5 times a power of ten that is no less. */
+/** Returns the next 1, 2 or 5 times a power of ten that is not less. */
 export function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   return power * (value <= power ? 1 : value <= 2 * power ? 2 : value <= 5 * power ? 5 : 10);
@@ -32,7 +32,7 @@ export class Grid {
     }
   }
 
-  /** Under a box in the work frame. */
+  /** Places it under a box in the work frame. */
   lay(box: Box3, units: Units): void {
     const size_mm = Math.max(box.max.x - box.min.x, box.max.y - box.min.y, 1);
     this.step_mm = mmOf(roundUp((1.6 * length(size_mm, units)) / LINES), units);
@@ -59,13 +59,13 @@ export class Grid {
   }
 }
 
-/** Coordinates of ends of lines, three for each. */
+/** Sets the coordinates of ends of lines, three for each. */
 export function setLines(lines: LineSegments, ends: number[]): void {
   lines.geometry.dispose();
   lines.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(ends), 3));
 }
 
-/** Ends of the twelve edges of a box. */
+/** Returns the ends of the twelve edges of a box. */
 export function edgesOf({ min, max }: Box3): number[] {
   const ends: number[] = [];
   const corner = (i: number) => [i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z];

@@ -1,4 +1,4 @@
-// Short texts at places in the world, on top of the picture.
+// Short texts at positions in the world, on top of the picture.
 
 import type { Vector3 } from "three";
 import { element } from "../../core/dom";

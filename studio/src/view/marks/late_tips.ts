@@ -1,4 +1,4 @@
-// Dots where tips are, for the moment until the joints of a long run are here.
+// Dots at the TCPs, until the joints of a long run are loaded.
 
 import { Group, Mesh, MeshBasicMaterial, SphereGeometry, type Vector3 } from "three";
 import type { Palette } from "../theme";

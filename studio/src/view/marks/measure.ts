@@ -1,4 +1,4 @@
-// The distance between two picked places, in the work frame.
+// Distance between two picked positions, in the work frame.
 
 import { BufferGeometry, LineBasicMaterial, LineSegments, type Matrix4, Vector3 } from "three";
 import type { Units } from "../../core/store";
@@ -12,7 +12,7 @@ export class Measure {
     new BufferGeometry(),
     new LineBasicMaterial({ depthTest: false, transparent: true }),
   );
-  /** One or two places, in the work frame of the robot that is shown (mm). */
+  /** One or two positions, in the work frame of the shown robot (mm). */
   private places: Vector3[] = [];
 
   constructor() {
@@ -27,7 +27,7 @@ export class Measure {
     this.draw();
   }
 
-  /** A third place begins anew. */
+  /** Picks a position; a third one starts again. */
   pick(place: Vector3): void {
     if (this.places.length === 2) this.places = [];
     this.places.push(place);
@@ -38,7 +38,7 @@ export class Measure {
     const [a, b] = this.places;
     this.lines.visible = b !== undefined;
     if (!b) return;
-    // The straight way, and the one along the axes.
+    // Straight line, and path along the axes.
     const corners = [a, new Vector3(b.x, a.y, a.z), new Vector3(b.x, b.y, a.z), b];
     const ends = [...a.toArray(), ...b.toArray()];
     for (let i = 0; i < 3; ++i) ends.push(...corners[i].toArray(), ...corners[i + 1].toArray());
@@ -49,7 +49,7 @@ export class Measure {
     this.lines.material.color.copy(colours.measure);
   }
 
-  /** "dx 1.000  dy 2.000  dz 0.000  distance 2.236 mm"; empty: there are no two places yet. */
+  /** Returns "dx 1.000  dy 2.000  dz 0.000  distance 2.236 mm"; empty: two positions are not picked yet. */
   text(units: Units, distance: string): string {
     const [a, b] = this.places;
     if (!b) return "";

@@ -1,4 +1,4 @@
-// Surfaces as STL files have them: nine coordinates for a triangle.
+// Surfaces from STL files: nine coordinates for a triangle.
 
 const HEAD = 84;
 const TRIANGLE = 50;
@@ -6,7 +6,7 @@ const TRIANGLE = 50;
 export function stlTriangles(bytes: Uint8Array): Float32Array {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = bytes.length >= HEAD ? view.getUint32(80, true) : 0;
-  // A text file may begin like a binary one; the size tells.
+  // A text file may begin like a binary one; the size distinguishes them.
   if (bytes.length !== HEAD + TRIANGLE * count) return textTriangles(new TextDecoder().decode(bytes));
   const triangles = new Float32Array(9 * count);
   for (let i = 0; i < count; ++i) {
@@ -15,7 +15,7 @@ export function stlTriangles(bytes: Uint8Array): Float32Array {
   return triangles;
 }
 
-/** Triangles that lack a corner or a number are left out. */
+/** Reads triangles; those that lack a corner or a number are left out. */
 function textTriangles(text: string): Float32Array {
   const numbers = [...text.matchAll(/vertex\s+(\S+)\s+(\S+)\s+(\S+)/g)].flatMap(([, x, y, z]) => [+x, +y, +z]);
   const triangles: number[] = [];

@@ -1,4 +1,4 @@
-// The axes of the world in a corner, as the eye stands.
+// Axes of the world in a corner, as seen by the camera.
 
 import type { Vector3 } from "three";
 import { blue, green, vermilion } from "../../core/colours";

@@ -1,4 +1,4 @@
-// Zones of a machine: inside of some the tool stays, outside of others.
+// Zones of a machine: the tool stays inside some and outside others.
 
 import {
   Box3,
@@ -59,7 +59,7 @@ export class Zones {
   }
 }
 
-// Where a zone has no wall it goes to the end of the axis, or as far as the work does.
+// A zone without a wall extends to the end of the axis, or as far as the work.
 function boxOf(zone: Zone, { scene }: Robot, reach: Box3): Box3 {
   const box = new Box3();
   scene.position_joints.forEach((joint, i) => {

@@ -1,4 +1,4 @@
-// What the colours of the way say: a class of each segment, or a quantity on a scale.
+// Meaning of the path colours: a class of each segment, or a quantity on a scale.
 
 import { grey, kindColours, limitColours, scaleColour, vermilion, blue } from "../../core/colours";
 import type { ColourMode } from "../../core/store";
@@ -10,25 +10,25 @@ import { ROW, rowsOf, type PathData } from "./path_data";
 export type ScaleMode = "feed" | "speed" | "time" | "deviation";
 type ClassMode = Exclude<ColourMode, ScaleMode>;
 
-/** Highest and lowest value on a scale: mm/min, mm/s, s or mm. */
+/** Lowest and highest value on a scale: mm/min, mm/s, s or mm. */
 export interface Scale {
   low: number;
   high: number;
 }
 
-/** What a legend tells. */
+/** Contents of a legend. */
 export interface Key {
   mode: ColourMode;
   scale: Scale | null;
   /** Names of the classes that occur, in the order of the codes. */
   classes: string[];
-  /** Whether it is not known of all of a long run. */
+  /** True if it is not known for all of a long run. */
   isPartial: boolean;
 }
 
 const processStates = ["off", "on"] as const;
 
-/** Of a vertex, beside its colour. */
+/** Mark of a vertex, stored with its colour. */
 export const RAPID_MARK = 1;
 
 interface Classes {
@@ -52,10 +52,10 @@ const isScale = (mode: ColourMode): mode is ScaleMode => !(mode in classModes);
 export const classColour = (mode: ColourMode, name: string): string =>
   isScale(mode) ? blue : classModes[mode].colours[name];
 
-/** Of a long run these are here for what is here for good. */
+/** For a long run, true for values that are only known in the permanently loaded part. */
 const isOfColumns = (mode: ScaleMode): boolean => mode === "feed" || mode === "deviation";
 
-/** The quantity of a segment on a scale; NaN: it has none (the feed of a rapid move). */
+/** Returns the quantity of a segment on a scale; NaN: none (the feed of a rapid move). */
 function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
   switch (mode) {
     case "feed":
@@ -69,7 +69,7 @@ function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
   }
 }
 
-/** Stretches of which vertices tell all that is here. */
+/** Returns the stretches that are loaded only as vertices. */
 const leanOf = (all: Segments[]): Stretch[] => all.flatMap(({ stretches, chunks }) => stretches.slice(chunks.length));
 
 function scaleOf(mode: ScaleMode, all: Segments[]): Scale {
@@ -86,7 +86,7 @@ function scaleOf(mode: ScaleMode, all: Segments[]): Scale {
     for (let i = 0; i < stretch.vertices; ++i) widen(stretch.speedOf_mm_s(i));
   }
   if (scale.low > scale.high) return { low: 0, high: 0 };
-  // Speeds begin at rest, deviations at none; feeds differ little often enough to want the whole scale.
+  // Speeds and deviations start at 0; feeds often differ so little that they need the full scale.
   return mode === "feed" ? scale : { low: 0, high: scale.high };
 }
 
@@ -105,7 +105,7 @@ export function keyOf(mode: ColourMode, all: Segments[]): Key {
   return { mode, scale: scaleOf(mode, all), classes: [], isPartial };
 }
 
-/** Whether vertices have the same colours by both. */
+/** True if vertices have the same colours in both. */
 export const areSameColours = (a: Key, b: Key | null): boolean =>
   a.mode === b?.mode && a.scale?.low === b.scale?.low && a.scale?.high === b.scale?.high;
 
@@ -113,7 +113,7 @@ const bytesOf = (hex: string): number[] => [1, 3, 5].map((at) => parseInt(hex.sl
 
 type Painter = (stretch: Stretch, vertex: number) => ArrayLike<number>;
 
-/** NaN: it has none, or it is not here. */
+/** Returns NaN if the vertex has no value, or it is not loaded. */
 function quantityAt(mode: ScaleMode, stretch: Stretch, vertex: number): number {
   if (mode === "time") return stretch.time_s(vertex);
   if (stretch.whole) return quantity(mode, stretch.whole, stretch.segmentOf(vertex) - stretch.first);
@@ -138,7 +138,10 @@ function painter(key: Key): Painter {
   };
 }
 
-/** Of vertices from one to before another red, green and blue, and RAPID_MARK where a rapid move ends, for a texture of whole rows. */
+/**
+ * Returns red, green and blue of vertices from one to before another, for a texture of full rows. RAPID_MARK
+ * is set at the end of a rapid move.
+ */
 export function colourTexels(data: PathData, key: Key, from: number, to: number): Uint8Array {
   const texels = new Uint8Array(4 * ROW * rowsOf(to - from));
   const paint = painter(key);

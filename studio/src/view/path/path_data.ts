@@ -1,11 +1,11 @@
-// The drawn way of one robot as the view needs it: vertices counted over all stretches, in the work frame.
+// Drawn path of one robot for the view: vertices counted over all stretches, in the work frame.
 
 import { Box3, Vector3 } from "three";
 import { lastIndex } from "../../run/search";
 import { isRapid, type Segments } from "../../run/segments";
 import type { Stretch } from "../../run/stretch";
 
-/** Vertices in a row of the textures that hold them. */
+/** Vertices in a row of their textures. */
 export const ROW = 4096;
 
 /** Vertices of one stretch: from one to before another, the first of which is number `vertex` of all. */
@@ -18,7 +18,7 @@ export interface Vertices {
 
 export class PathData {
   count = 0;
-  /** Of all vertices, and of those that no rapid move ends at (mm). */
+  /** Bounds of all vertices, and of those that do not end a rapid move (mm). */
   readonly bounds = new Box3();
   readonly cutBounds = new Box3();
   /** Number of the first vertex of each stretch. */
@@ -28,7 +28,7 @@ export class PathData {
     this.grow();
   }
 
-  /** Takes what has come since. */
+  /** Adds the data that has arrived since. */
   grow(): void {
     const { stretches } = this.segments;
     for (let k = this.firsts.length; k < stretches.length; ++k) {
@@ -48,7 +48,7 @@ export class PathData {
     }
   }
 
-  /** Vertices from one to before another, stretch by stretch. */
+  /** Returns vertices from one to before another, stretch by stretch. */
   *vertices(from: number, to: number): Generator<Vertices> {
     const { stretches } = this.segments;
     const first = Math.max(lastIndex(this.firsts.length, (i) => this.firsts[i] <= from), 0);
@@ -59,7 +59,7 @@ export class PathData {
     }
   }
 
-  /** x, y, z (mm) and time (s) of vertices from one to before another, for a texture of whole rows. */
+  /** Returns x, y, z (mm) and time (s) of vertices from one to before another, for a texture of full rows. */
   texels(from: number, to: number): Float32Array {
     const texels = new Float32Array(4 * ROW * rowsOf(to - from));
     for (const { stretch, from: begin, to: end, vertex } of this.vertices(from, to)) {
@@ -75,7 +75,7 @@ export class PathData {
     return texels;
   }
 
-  /** The stretch of a vertex, and its place there. */
+  /** Returns the stretch of a vertex, and its index there. */
   private locate(vertex: number): [Stretch, number] {
     const { stretches } = this.segments;
     const k = lastIndex(this.firsts.length, (i) => this.firsts[i] <= vertex);
@@ -92,13 +92,13 @@ export class PathData {
     return stretch.time_s(i);
   }
 
-  /** The segment whose way the piece before a vertex belongs to. */
+  /** Returns the segment that the part before a vertex belongs to. */
   segmentOf(vertex: number): number {
     const [stretch, i] = this.locate(vertex);
     return stretch.segmentOf(i);
   }
 
-  /** Flags of that segment, as far as they are here. */
+  /** Returns the flags of that segment, as far as loaded. */
   flagsOf(vertex: number): number {
     const [stretch, i] = this.locate(vertex);
     return stretch.flagsOf(i);
@@ -108,12 +108,15 @@ export class PathData {
     return isRapid(this.flagsOf(vertex));
   }
 
-  /** The vertex that ends the piece under way at a time; `count` behind the last. */
+  /** Returns the vertex that ends the part active at a time; `count` after the last. */
   at(t_s: number): number {
     return lastIndex(this.count, (vertex) => this.time_s(vertex) <= t_s) + 1;
   }
 
-  /** Vertices that end pieces of the segments from `first` to before `end`: from the one to before the other. */
+  /**
+   * Returns the vertices that end parts of the segments from `first` to before `end`: a range without its
+   * end.
+   */
   rangeOf(first: number, end: number): [number, number] {
     return [this.firstOf(first), this.firstOf(end)];
   }
@@ -126,5 +129,5 @@ export class PathData {
   }
 }
 
-/** Rows of a texture of so many vertices. */
+/** Returns the rows of a texture of so many vertices. */
 export const rowsOf = (count: number): number => Math.max(1, Math.ceil(count / ROW));

@@ -1,5 +1,6 @@
-// The ways of all robots on the screen. While the camera rests they are drawn once into a kept picture, which stands
-// with the machine in each frame; while it moves and they are many, fewer pieces are drawn at half the resolution.
+// Paths of all robots on the screen. At standstill of the camera they are drawn once into a kept picture,
+// which is combined with the machine in each frame. During motion, many paths are drawn with fewer parts at
+// half the resolution.
 
 import type { Matrix4 } from "three";
 import { areSameColours, type Key } from "./path_colours";
@@ -10,29 +11,29 @@ import { Strand, type Draw } from "./strand";
 import { Target } from "./target";
 import { Timer } from "./timer";
 
-/** The run before, for comparing, is drawn as this robot. */
+/** Robot number for drawing the previous run, for comparison. */
 export const PREVIOUS = 31;
 
-/** What the ways look like in a frame. */
+/** Look of the paths in a frame. */
 export interface Look {
-  /** From each robot's work frame to the clip space. */
+  /** Transformation from each robot's work frame to the clip space. */
   matrices: Matrix4[];
   width_px: number;
   height_px: number;
   pixelRatio: number;
-  /** At the middle of what is seen, of pixels of the screen. */
+  /** Scale at the middle of the view, for pixels of the screen. */
   mmPerPixel: number;
   rapids: boolean;
   compare: boolean;
   compareColour: number[];
-  /** In what each robot's vertices are done, s. */
+  /** Time up to which each robot's vertices are done, s. */
   now_s: number[];
-  /** What is left of the way to come, and how much white is mixed into all; 0 to 1. */
+  /** Opacity of the remaining path, and share of white mixed into all; 0 to 1. */
   dimmed: number;
   lightened: number;
 }
 
-/** Ranges of one robot's vertices to be drawn above all else. */
+/** Ranges of one robot's vertices that are drawn over all else. */
 export interface Accent {
   robot: number;
   ranges: [number, number][];
@@ -41,14 +42,14 @@ export interface Accent {
   opacity: number;
 }
 
-/** What lies at a pixel: a vertex that ends the piece there, and the time there. */
+/** Contents of a pixel: the vertex that ends the part there, and the time there. */
 export interface Hit {
   robot: number;
   vertex: number;
   t_s: number;
 }
 
-// Pieces that even software draws within a frame or so; up to so many lines have a width.
+// Parts that even software draws within a frame or so; beyond WIDE_PIECES lines have no width.
 const QUICK_PIECES = 40_000;
 const WIDE_PIECES = 300_000;
 const MOVING_PIECES = 60_000;
@@ -57,7 +58,7 @@ const ACCENT_PIECES = 100_000;
 // A step that is shorter shows no corner between its ends.
 const SMALL_PX = 1;
 const SLOW_MS = 40;
-// The eye rests when it has stood so long.
+// Time without motion after which the camera is at standstill.
 const REST_MS = 120;
 
 export type More = "nothing" | "now" | "at rest";
@@ -71,11 +72,11 @@ export class PathLayer {
   private readonly nothing: WebGLVertexArrayObject;
   private full: Target | null = null;
   private coarse: Target | null = null;
-  /** What the full picture shows, and what was asked for last. */
+  /** Contents of the full picture, and of the last request. */
   private drawn = "";
   private asked = "";
   private since_ms = 0;
-  /** What shows the whole way, and how much of that has been drawn. */
+  /** Draws that show the complete path, and how much of them is done. */
   private plan: Draw[] = [];
   private planned = 0;
   private slice = 0;
@@ -92,7 +93,7 @@ export class PathLayer {
     this.timer = new Timer(gl);
   }
 
-  /** The ways to be shown from now on; `previous` are those of the run before. */
+  /** Sets the paths to show; `previous` are those of the previous run. */
   take(current: PathData[], previous: PathData[], key: Key): void {
     const before = this.strands;
     const strandOf = (data: PathData, robot: number, frame: number) =>
@@ -113,7 +114,7 @@ export class PathLayer {
     this.renew();
   }
 
-  /** Takes what has come of the ways since. */
+  /** Adds the path data that has arrived since. */
   grow(key: Key): void {
     const isSame = areSameColours(key, this.key);
     for (const strand of this.strands) strand.grow(isSame ? key : null);
@@ -128,18 +129,18 @@ export class PathLayer {
     this.renew();
   }
 
-  /** The kept picture is drawn anew. */
+  /** Requests a redraw of the kept picture. */
   renew(): void {
     this.drawn = "";
     this.asked = "";
   }
 
-  /** Another list whenever other ways are shown. */
+  /** Returns the shown strands; another list after each change of paths. */
   get shownStrands(): readonly Strand[] {
     return this.strands;
   }
 
-  /** Whether the kept picture shows all that was asked for. */
+  /** True if the kept picture shows everything that was requested. */
   get complete(): boolean {
     return this.drawn !== "" && this.drawn === this.asked;
   }
@@ -148,7 +149,7 @@ export class PathLayer {
     return this.planned > QUICK_PIECES && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
   }
 
-  /** Brings the kept picture up to date; tells when there is more to draw. */
+  /** Updates the kept picture; returns if more is to be drawn. */
   prepare(look: Look, time_ms: number): More {
     const { width_px, height_px, rapids, compare } = look;
     const matrices = look.matrices.map((matrix) => matrix.elements.join());
@@ -190,7 +191,7 @@ export class PathLayer {
     } else this.refine(look, wanted, isWide);
   }
 
-  // Slice by slice, so that the page answers meanwhile.
+  // Draws in slices, so that the page stays responsive.
   private refine(look: Look, wanted: string, isWide: boolean): void {
     if (this.slice === 0) this.full!.begin();
     else this.full!.go();
@@ -231,7 +232,7 @@ export class PathLayer {
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  /** Of what shows the whole way pieces from number `from` to before `to`; of those each `coarser`-th. */
+  /** Draws parts of the plan from number `from` to before `to`; only each `coarser`-th of those. */
   private paint(look: Look, from: number, to: number, coarser: number, wide: boolean): void {
     const { gl } = this;
     const program = wide ? this.keptWide : this.keptThin;
@@ -262,7 +263,7 @@ export class PathLayer {
     program.set1f("join_px", 0.35 * look.pixelRatio);
   }
 
-  /** Puts the kept picture on the screen, where nothing stands before it. */
+  /** Draws the kept picture to the screen, except where nearer bodies hide it. */
   compose(look: Look): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -286,7 +287,7 @@ export class PathLayer {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** Draws ranges above all else; what stands before them lets them through faintly. */
+  /** Draws ranges over all else; parts hidden by nearer bodies are faint. */
   accent(accent: Accent, look: Look): void {
     const { gl } = this;
     const strand = this.strands.find(({ robot }) => robot === accent.robot);
@@ -307,7 +308,7 @@ export class PathLayer {
       gl.depthFunc(comparison);
       const opacity = accent.opacity * share;
       program.set1f("opacity", opacity);
-      // Where pieces overlap one would see it through.
+      // Overlaps of parts would be visible with transparency.
       program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * look.pixelRatio);
       program.set1f("small_mm", 0);
       for (const [from, to] of accent.ranges) {
@@ -317,7 +318,10 @@ export class PathLayer {
     gl.depthMask(true);
   }
 
-  /** What is nearest to a place on the screen (0 to 1 from the left and from below), within some pixels. */
+  /**
+   * Returns the nearest part to a position on the screen (0 to 1 from the left and from below), within some
+   * pixels.
+   */
   hit(x: number, y: number, reach_px: number): Hit | null {
     if (!this.shown || this.strands.length === 0) return null;
     const { width, height } = this.shown;
@@ -340,7 +344,7 @@ export class PathLayer {
     return { robot, vertex: this.pieceAt(robot, vertex, t_s), t_s };
   }
 
-  /** One step may stand for several pieces up to a vertex: its time tells which of them. */
+  /** One step may represent several parts up to a vertex: the time selects one of them. */
   private pieceAt(robot: number, vertex: number, t_s: number): number {
     const draw = this.plan.find(({ strand, from, to }) => strand.robot === robot && from <= vertex && vertex < to);
     if (!draw || (draw.stride === 1 && this.shown === this.full)) return vertex;

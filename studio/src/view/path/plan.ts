@@ -1,8 +1,8 @@
-// Which pieces of a way are drawn: not those beside the screen, and fewer where many lie in a pixel.
+// Selection of the path parts to draw: none outside the screen, and fewer if many lie in a pixel.
 
 import type { Matrix4 } from "three";
 
-/** Neighbouring pieces: the box about their vertices (mm), their number and length. */
+/** Row of adjacent parts: the box around their vertices (mm), their number and length. */
 export interface Row {
   low: number[];
   high: number[];
@@ -10,7 +10,7 @@ export interface Row {
   length_mm: number;
 }
 
-/** Of the pieces between vertices from one to another, where texels have x, y, z and a time for each. */
+/** Returns the row of parts between vertices from one to another; texels have x, y, z and a time for each. */
 export function rowLength(texels: Float32Array, from: number, to: number): Row {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -28,22 +28,25 @@ export function rowLength(texels: Float32Array, from: number, to: number): Row {
   return { low, high, pieces: to - from, length_mm };
 }
 
-/** Cells across and down the screen, in which the way is counted. */
+/** Cells across and down the screen, for measuring the path density. */
 const CELLS = 32;
-/** So many times as much way as there are pixels looks like all of it. */
+/** Ratio of path length to pixels that looks like the complete path. */
 const ENOUGH = 8;
-/** A step (px) that shows no corner between its ends. */
+/** Length of a step (px) that shows no corner between its ends. */
 const SMALL_PX = 0.7;
 export const MOST_STRIDE = 64;
 
-/** Where a row is on the screen: cells from and to, its length in pixels, and pixels of way for each pixel there. */
+/** Row on the screen: cells from and to, its length in pixels, and path pixels for each pixel there. */
 interface Seen {
   cells: [left: number, right: number, top: number, bottom: number];
   long_px: number;
   density: number;
 }
 
-/** `null`: it is beside the screen; "near": it reaches behind the eye, so that nothing can be told of it. */
+/**
+ * Returns `null` if it is outside the screen; "near" if it reaches behind the camera, so that its size is
+ * unknown.
+ */
 function seen(row: Row, { elements: m }: Matrix4, width_px: number, height_px: number): Seen | "near" | null {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (let corner = 0; corner < 8; ++corner) {
@@ -64,14 +67,14 @@ function seen(row: Row, { elements: m }: Matrix4, width_px: number, height_px: n
   const size_mm = Math.hypot(row.high[0] - row.low[0], row.high[1] - row.low[1], row.high[2] - row.low[2]);
   const long_px = size_mm > 0 ? (row.length_mm * Math.hypot(wide_px, tall_px)) / size_mm : 0;
   const cell = (at: number) => Math.min(Math.max(Math.floor(0.5 * (at + 1) * CELLS), 0), CELLS - 1);
-  // A way is a pixel wide at least.
+  // A path is at least a pixel wide.
   const density = long_px / (Math.max(wide_px, 1) * Math.max(tall_px, 1));
   return { cells: [cell(left), cell(right), cell(low), cell(high)], long_px, density };
 }
 
 /**
- * For each row each how many pieces there is one drawn, a power of two; 0: none. Rows lie before each other, so that
- * what counts is all the way in the part of the screen where one is.
+ * Returns for each row how many parts share one drawn part, a power of two; 0: not drawn. Rows overlap, so
+ * the total path in that area of the screen counts.
  */
 export function stridesOf(rows: readonly Row[], matrix: Matrix4, width_px: number, height_px: number): Uint8Array {
   const all = rows.map((row) => seen(row, matrix, width_px, height_px));
@@ -90,7 +93,7 @@ export function stridesOf(rows: readonly Row[], matrix: Matrix4, width_px: numbe
       inverse += 1 / densities[cell];
       ++count;
     });
-    // The harmonic mean is led by where there is least.
+    // The harmonic mean follows the smallest densities.
     const dense = count / inverse / ENOUGH;
     const small = (SMALL_PX * rows[i].pieces) / place.long_px;
     const most = Math.min(Math.max(dense, small, 1), MOST_STRIDE);

@@ -1,4 +1,4 @@
-// A program of WebGL, and what it is given by name.
+// WebGL program, and its inputs by name.
 
 export class Program {
   private readonly program: WebGLProgram;

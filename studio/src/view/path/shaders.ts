@@ -1,5 +1,5 @@
-// Programs of the way. Vertices lie in textures, so that one buffer serves lines of any width and any level of
-// detail: piece k goes from vertex first + k * stride - 1 of a sheet to the next one drawn.
+// Programs for the path. Vertices are in textures, so that one buffer serves lines of any width and any level
+// of detail: part k is from vertex first + k * stride - 1 of a texture to the next one drawn.
 
 const precise = `precision highp float;
 precision highp int;
@@ -35,8 +35,8 @@ out float along_mm;
 
 ivec2 place(int i) { return ivec2(i & 4095, i >> 12); }
 
-// Where the way hardly turns, or not so that it is seen, a step over several vertices shows it; else one piece stands
-// for them.
+// A step over several vertices is used if the path hardly turns, or not visibly; else a single part
+// represents them.
 int lastOf(int from, vec3 a) {
   if (stride == 1) return from + 1;
   vec3 b = texelFetch(points, place(from + stride), 0).xyz;
@@ -59,7 +59,7 @@ void main() {
   if (rapid && !rapids) return;
   vec4 p = matrix * vec4(a.xyz, 1.0);
   vec4 q = matrix * vec4(b.xyz, 1.0);
-  // The part behind the eye is cut off before lines are given a width.
+  // The part behind the camera is cut off before lines get a width.
   vec2 depth = vec2(p.z + p.w, q.z + q.w);
   if (depth.x < 0.0 && depth.y < 0.0) return;
   float cut = depth.x / (depth.x - depth.y);
@@ -123,7 +123,8 @@ const fragmentShown = `
 layout(location = 0) out vec4 seen;
 void main() { seen = vec4(colour, covered()); }`;
 
-// An eye of a headset: what is to come is dimmed at once, and dashes lie on the way, where both eyes see them.
+// For an eye of a headset: the remaining path is dimmed at once, and dashes are placed along the path, so
+// that both eyes see the same.
 const fragmentOfEye = `
 flat in vec3 colour;
 flat in int dash;
@@ -150,7 +151,7 @@ void main() {
   gl_Position = vec4(2.0 * at - 1.0, 0.0, 1.0);
 }`;
 
-// Of the kept picture each pixel knows its time: what is to come is dimmed without drawing the way again.
+// Each pixel of the kept picture stores its time, so the remaining path is dimmed without a redraw.
 const fragmentOfScreen = `
 in vec2 at;
 uniform sampler2D kept;
@@ -173,6 +174,6 @@ void main() {
 export const keptThin = [header + thin + vertexOfPieces, header + coverage + fragmentKept] as const;
 export const keptWide = [header + wide + vertexOfPieces, header + coverage + fragmentKept] as const;
 export const shownWide = [header + wide + vertexOfPieces, header + coverage + fragmentShown] as const;
-/** For three.js, which says the version itself. */
+/** For three.js, which adds the version itself. */
 export const eyes = [precise + wide + vertexOfPieces, precise + fragmentOfEye] as const;
 export const screen = [header + vertexOfScreen, header + fragmentOfScreen] as const;

@@ -1,10 +1,11 @@
-// A part of a way in the graphics card: a texture of vertices and one of colours, and how much way is where of it.
+// Part of a path in the graphics card: a texture of vertices and one of colours, and the path lengths of its
+// rows.
 
 import { colourTexels, type Key } from "./path_colours";
 import { ROW, rowsOf, type PathData } from "./path_data";
 import { rowLength, type Row } from "./plan";
 
-/** Pieces of a sheet; it has one vertex more, at which the first of them begins. */
+/** Number of path parts; the texture has one vertex more, at which the first part begins. */
 export const SHEET_PIECES = 16 * ROW - 1;
 
 export class Sheet {
@@ -12,7 +13,7 @@ export class Sheet {
   readonly points: WebGLTexture;
   readonly colours: WebGLTexture;
 
-  /** Of vertices from `first` to before `end`; its pieces end at all but the first of them. */
+  /** Takes vertices from `first` to before `end`; its parts end at all but the first of them. */
   constructor(
     private readonly gl: WebGL2RenderingContext,
     data: PathData,

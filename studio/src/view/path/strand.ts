@@ -1,4 +1,4 @@
-// One robot's way in the graphics card, sheet by sheet.
+// One robot's path in the graphics card, texture by texture.
 
 import type { Matrix4 } from "three";
 import type { Key } from "./path_colours";
@@ -7,7 +7,7 @@ import { MOST_STRIDE, stridesOf } from "./plan";
 import type { Program } from "./program";
 import { SHEET_PIECES, Sheet } from "./sheet";
 
-/** Pieces that end at vertices from one to before another, each `stride`-th of them. */
+/** Parts that end at vertices from one to before another, each `stride`-th of them. */
 export interface Draw {
   strand: Strand;
   from: number;
@@ -21,15 +21,15 @@ export class Strand {
   constructor(
     private readonly gl: WebGL2RenderingContext,
     readonly data: PathData,
-    /** From 0; the run before for comparing is 31. */
+    /** Number from 0; the previous run for comparison is 31. */
     readonly robot: number,
-    /** The robot in whose work frame it stands. */
+    /** Robot that has the work frame of the path. */
     readonly frame: number,
   ) {
     this.grow(null);
   }
 
-  /** Takes vertices that have come since; `key`: their colours. */
+  /** Adds vertices that have arrived since; `key`: their colours. */
   grow(key: Key | null): void {
     const { gl, data, sheets } = this;
     if (sheets.at(-1)?.end === data.count) return;
@@ -45,7 +45,7 @@ export class Strand {
     for (const sheet of this.sheets) sheet.colour(this.data, key);
   }
 
-  /** What of it shows the whole way on a screen. */
+  /** Returns the draws that show the complete path on a screen. */
   plan(matrix: Matrix4, width_px: number, height_px: number): Draw[] {
     const draws: Draw[] = [];
     const rows = this.sheets.flatMap((sheet) => sheet.rows);
@@ -64,7 +64,7 @@ export class Strand {
     return draws;
   }
 
-  /** Draws the pieces that end at vertices from `from` to before `to`, each `stride`-th of them. */
+  /** Draws the parts that end at vertices from `from` to before `to`, each `stride`-th of them. */
   draw(program: Program, matrix: Matrix4, from: number, to: number, stride: number, wide: boolean): void {
     const { gl } = this;
     program.set1i("points", 0);
@@ -82,7 +82,7 @@ export class Strand {
       program.set1i("first", begin);
       program.set1i("base", sheet.first);
       this.drawPieces(pieces, wide);
-      // What is left behind the last step, but while the eye moves.
+      // Remainder after the last step; not drawn while the camera moves.
       const rest = end - begin - pieces * stride;
       if (rest === 0 || stride > MOST_STRIDE) continue;
       program.set1i("stride", 1);

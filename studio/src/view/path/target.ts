@@ -1,4 +1,4 @@
-// The kept picture of the way: colours, what each pixel shows (vertex and time), and depths.
+// Kept picture of the path: colours, vertex and time of each pixel, and depths.
 
 export class Target {
   readonly colours: WebGLTexture;
@@ -30,13 +30,13 @@ export class Target {
     return texture;
   }
 
-  /** Draws go here from now on. */
+  /** Directs draws here from now on. */
   go(): void {
     this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.buffer);
     this.gl.viewport(0, 0, this.width, this.height);
   }
 
-  /** As go(), and it is empty. */
+  /** As go(), and clears it. */
   begin(): void {
     const { gl } = this;
     this.go();
@@ -45,7 +45,10 @@ export class Target {
     gl.clearBufferfv(gl.DEPTH, 0, [1]);
   }
 
-  /** Vertex and time of the pixels in a square about a place, row by row from below; four numbers for each. */
+  /**
+   * Returns vertex and time of the pixels in a square around a position, row by row from below; four numbers
+   * for each.
+   */
   read(x: number, y: number, reach: number): Uint32Array {
     const { gl } = this;
     const side = 2 * reach + 1;

@@ -1,7 +1,7 @@
-// How long the graphics card takes for the whole way; told by a fence, some frames later.
+// Time of the graphics card for the complete path; measured by a fence, some frames later.
 
 const LOOK_AGAIN_MS = 4;
-// A fence is seen so late even where drawing takes no time.
+// Delay of a fence even if drawing takes no time.
 const LATE_MS = 12;
 
 export class Timer {
@@ -21,7 +21,7 @@ export class Timer {
     this.begun_ms = performance.now();
   }
 
-  /** `share`: how many times as much the whole way is. */
+  /** `share`: factor from the drawn part to the complete path. */
   end(share: number): void {
     const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (!fence) return;

@@ -1,12 +1,12 @@
-// The floor of the cell: lines, one metre apart.
+// Floor of the cell: lines, one metre apart.
 
 import { BufferGeometry, LineSegments, type LineBasicMaterial } from "three";
 import { setLines } from "../marks/grid";
 
-/** From its middle to its edge, m. */
+/** Distance from its middle to its edge, m. */
 const HALF_M = 20;
 
-/** Each line in pieces of a metre: some renderers drop a line that goes on behind the eye. */
+/** Draws each line in parts of a metre: some renderers drop a line that continues behind the eye. */
 export function floorOf(look: LineBasicMaterial): LineSegments<BufferGeometry, LineBasicMaterial> {
   const floor = new LineSegments(new BufferGeometry(), look);
   const ends: number[] = [];

@@ -1,4 +1,4 @@
-// A headset that shows the cell: from its entering to its end nothing else draws, and behind it all is as it was.
+// Headset that shows the cell: from entry to end nothing else draws, and afterwards everything is as before.
 
 import type { Frames } from "../../core/frames";
 import type { Store } from "../../core/store";
@@ -7,12 +7,12 @@ import { Place, type Head } from "./place";
 import { Room } from "./room";
 import { SPEED_M_S, STEP_DEG, Sticks, type Stick } from "./sticks";
 
-/** A longer time between two pictures is none of walking. */
+/** Max time between two pictures that counts for walking. */
 const LONGEST_S = 0.1;
 
 const isOfSticks = ({ gamepad, targetRayMode }: XRInputSource): boolean => targetRayMode === "tracked-pointer" && (gamepad?.axes.length ?? 0) >= 2;
 
-/** Of a pad with four axes the first two are its touchpad. */
+/** Returns the stick; on a pad with four axes the first two are its touchpad. */
 function stickOf({ gamepad, handedness }: XRInputSource): Stick {
   const [x, y] = gamepad!.axes.slice(gamepad!.axes.length >= 4 ? 2 : 0);
   return { hand: handedness, x, y };
@@ -20,7 +20,7 @@ function stickOf({ gamepad, handedness }: XRInputSource): Stick {
 
 function headOf({ transform: { position, orientation } }: XRViewerPose): Head {
   const { x, y, z, w } = orientation;
-  // Where -Z of the head points to, from above.
+  // Direction of -Z of the head, from above.
   const turn = Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
   return { x_m: position.x, z_m: position.z, turn };
 }
@@ -43,14 +43,14 @@ export class Visit {
     session.addEventListener("squeeze", () => (this.stands = false));
   }
 
-  /** A picture of the headset is due. */
+  /** Called when a picture of the headset is due. */
   show(now_ms: number, frame: XRFrame): void {
     this.frames.drive(now_ms);
     const space = this.view.canvas.renderer.xr.getReferenceSpace();
     const pose = space && frame.getViewerPose(space);
     const passed_s = Math.min(Math.max(now_ms - (this.before_ms ?? now_ms), 0) / 1000, LONGEST_S);
     this.before_ms = now_ms;
-    if (!pose) return; // it is not worn, or does not know where it is
+    if (!pose) return; // not worn, or its pose is unknown
     this.go(headOf(pose), passed_s);
     this.room.draw(this.place, this.view.arrange());
   }
@@ -78,7 +78,7 @@ export class Headset {
     private readonly store: Store,
     private readonly frames: Frames,
     private readonly system: XRSystem,
-    /** It shows the cell, or no more. */
+    /** Called when it starts or ends showing the cell. */
     private readonly changed: () => void,
   ) {}
 
@@ -86,7 +86,7 @@ export class Headset {
     return this.session !== null;
   }
 
-  /** Fails with the reason where the browser or the device refuses. */
+  /** Fails with the reason if the browser or the device refuses. */
   async enter(): Promise<void> {
     const { xr } = this.view.canvas.renderer;
     const session = await this.system.requestSession("immersive-vr", { requiredFeatures: ["local-floor"] });
@@ -98,7 +98,7 @@ export class Headset {
       visit.end();
       this.giveBack();
     };
-    // Told by three.js, behind what it does itself then.
+    // Sent by three.js, after its own actions.
     xr.addEventListener("sessionend", ended);
     xr.enabled = true;
     xr.setReferenceSpaceType("local-floor");
@@ -113,7 +113,7 @@ export class Headset {
   }
 
   async leave(): Promise<void> {
-    // One that has ended by itself cannot be ended.
+    // A session that has ended by itself cannot be ended.
     await this.session?.end().catch(() => undefined);
   }
 
@@ -121,7 +121,7 @@ export class Headset {
     const { renderer } = this.view.canvas;
     this.session = null;
     renderer.xr.enabled = false;
-    // three.js goes on asking for pictures of the window else.
+    // Otherwise three.js continues to request pictures of the window.
     renderer.setAnimationLoop(null);
     this.view.takeBack();
     this.changed();

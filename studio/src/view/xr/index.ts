@@ -1,4 +1,4 @@
-// A button that leads into the cell, where the browser has a headset.
+// Button for entering the cell, if the browser has a headset.
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";

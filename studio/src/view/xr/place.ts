@@ -1,6 +1,7 @@
-// Where a person stands in the cell. Metres, Y up, the floor at 0; turns about Y, seen from above against the clock (rad).
+// Position of a person in the cell. Metres, Y up, the floor at 0; rotations about Y, counter-clockwise from
+// above (rad).
 
-/** The head, as the headset tells it of the floor that it is worn on. */
+/** Pose of the head, as reported by the headset relative to its floor. */
 export interface Head {
   x_m: number;
   z_m: number;
@@ -18,13 +19,13 @@ const turned = ({ x_m, z_m }: Spot, angle: number): Spot => ({
   z_m: z_m * Math.cos(angle) - x_m * Math.sin(angle),
 });
 
-/** How the floor that the headset is worn on lies in the cell. */
+/** Pose of the floor of the headset in the cell. */
 export class Place {
   x_m = 0;
   z_m = 0;
   turn = 0;
 
-  /** The head stands at a spot, and looks along -Z. */
+  /** Places the head at a spot, looking along -Z. */
   stand(head: Head, spot: Spot): void {
     this.face(head, spot, -head.turn);
   }
@@ -41,7 +42,7 @@ export class Place {
     return { x_m: this.x_m + off.x_m, z_m: this.z_m + off.z_m };
   }
 
-  /** Walks as the head looks: so far to the right, so far on. */
+  /** Walks in the direction of the head: so far to the right, so far forward. */
   walk(head: Head, right_m: number, on_m: number): void {
     const way = turned({ x_m: right_m, z_m: -on_m }, this.turn + head.turn);
     this.x_m += way.x_m;

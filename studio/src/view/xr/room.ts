@@ -1,4 +1,4 @@
-// The cell as a person stands in it: metres in place of mm, Y up in place of Z, and a floor.
+// Cell as seen by a person in it: metres in place of mm, Y up in place of Z, and a floor.
 
 import { Box3, Color, Group, Matrix4, PerspectiveCamera, Scene, Vector3 } from "three";
 import { CameraRig } from "../camera";
@@ -9,13 +9,13 @@ import type { Place, Spot } from "./place";
 import { Ways } from "./ways";
 
 const M_PER_MM = 0.001;
-/** From the foremost body to who enters, m. */
+/** Distance from the foremost body to the person on entry, m. */
 const AWAY_M = 1.5;
-/** Nearer than this an eye sees nothing; so far beyond the cell there is something to be seen, m. */
+/** Near limit of an eye, and distance beyond the cell that is still visible, m. */
 const NEAR_M = 0.05;
 const BEYOND_M = 60;
 
-/** From the cell's frame into the room. */
+/** Returns the matrix from the cell's frame to the person's. */
 function intoRoom(floor_mm: number): Matrix4 {
   const turned = new Matrix4().makeBasis(new Vector3(1, 0, 0), new Vector3(0, 0, -1), new Vector3(0, 1, 0));
   return turned.scale(new Vector3().setScalar(M_PER_MM)).multiply(new Matrix4().makeTranslation(0, 0, -floor_mm));
@@ -23,14 +23,14 @@ function intoRoom(floor_mm: number): Matrix4 {
 
 export class Room {
   readonly camera = new PerspectiveCamera();
-  /** In front of the machine, where "front" looks from. */
+  /** Start in front of the machine, in the direction of the view "front". */
   readonly entry: Spot;
   private readonly scene = new Scene();
   private readonly cell = new Group();
   private readonly ways = new Ways();
   private readonly person = new Group();
   private readonly floor: ReturnType<typeof floorOf>;
-  /** The lamp stands where "corner" looks from. */
+  /** Lamp at the position of the view "corner". */
   private readonly lamp = new CameraRig();
 
   private readonly background = new Color();
@@ -51,7 +51,7 @@ export class Room {
     this.scene.background = this.background;
   }
 
-  /** Draws both eyes; the page's scene is lent for it, and nothing of it is changed behind. */
+  /** Draws both eyes; the page's scene is lent for it, and is unchanged afterwards. */
   draw(place: Place, look: Look): void {
     const { view, cell, person } = this;
     const { renderer } = view.canvas;
@@ -61,13 +61,13 @@ export class Room {
     person.position.set(place.x_m, 0, place.z_m);
     person.rotation.y = place.turn;
     this.ways.show(view.layer, look, frame?.instants.map(({ places }) => places.work) ?? []);
-    // They are laid for the eye of the page.
+    // They are placed for the camera of the page.
     view.stage.directions.group.visible = false;
     view.stage.follow(this.lamp);
     cell.add(scene);
     this.scene.updateMatrixWorld(true);
     const target = renderer.getRenderTarget();
-    // The page draws without three.js, too, which would not know of it.
+    // The page also draws without three.js, which does not know about that.
     renderer.resetState();
     renderer.setRenderTarget(target);
     renderer.render(this.scene, this.camera);
@@ -77,6 +77,6 @@ export class Room {
 
   dispose(): void {
     this.ways.dispose();
-    this.floor.geometry.dispose(); // it looks as the grid does, by its material
+    this.floor.geometry.dispose(); // it has the material of the grid
   }
 }

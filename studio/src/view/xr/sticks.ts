@@ -1,22 +1,22 @@
-// What the thumbsticks of a headset's hands ask for: the left one walks, the right one turns; a single one does both.
+// Input of the thumbsticks of a headset: the left one walks, the right one turns; a single one does both.
 
 export interface Stick {
   hand: "left" | "right" | "none";
-  /** To the right and towards the person, -1 to 1. */
+  /** Deflection to the right and towards the person, -1 to 1. */
   x: number;
   y: number;
 }
 
-/** Of the way to walk, 1 as long as the stick goes; steps to turn by, to the right. */
+/** Walking speed, 1 at full deflection; steps to turn by, to the right. */
 export interface Asked {
   right: number;
   on: number;
   turns: number;
 }
 
-/** Sticks do not rest at 0 exactly. */
+/** Dead zone: sticks do not return exactly to 0. */
 const REST = 0.15;
-/** So far a stick is pushed for a turn, and so far it has to come back before the next one. */
+/** Deflection that starts a turn, and limit for returning before the next one. */
 const TURNS_FROM = 0.7;
 const READY_BELOW = 0.4;
 

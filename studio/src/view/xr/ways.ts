@@ -1,5 +1,6 @@
-// The ways of all robots as a headset shows them: drawn anew for each eye, among the bodies. What the page's kept picture does
-// by pixels of the screen is done by places of the world here, so that both eyes see the same: rapids are dashed by length.
+// Paths of all robots in a headset: redrawn for each eye, among the bodies. The page's kept picture uses
+// pixels of the screen; here positions of the world are used, so that both eyes see the same: rapids are
+// dashed by length.
 
 import { BufferGeometry, DoubleSide, ExternalTexture, GLSL3, Group, Mesh, RawShaderMaterial, Vector2, type Matrix4, type PerspectiveCamera } from "three";
 import { PREVIOUS, type Look, type PathLayer } from "../path/path_layer";
@@ -7,14 +8,14 @@ import { eyes } from "../path/shaders";
 import type { Sheet } from "../path/sheet";
 import type { Strand } from "../path/strand";
 
-/** Of a piece, in pixels of an eye, which are coarser than a screen's. */
+/** Width of a line, in pixels of an eye, which are coarser than a screen's. */
 const WIDE_PX = 2;
-/** More pieces are drawn by fewer: a headset wants 72 pictures in a second, twice. */
+/** Max number of parts; more are simplified, because a headset needs 72 pictures in a second, twice. */
 const MOST_PIECES = 100_000;
-/** Dashes in the length of the way's box. */
+/** Number of dashes in the length of the path's box. */
 const DASHES = 60;
 
-/** Of one sheet. */
+/** Path of one `Sheet`. */
 class Way {
   readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
 
@@ -59,14 +60,14 @@ class Way {
     this.mesh.visible = frame < works.length && (!old || look.compare);
     if (!this.mesh.visible) return;
     this.mesh.matrix.copy(works[frame]);
-    // Behind the end all is done; a number stands for it, as shaders need not know the infinite.
+    // After the end all is done; a finite number is used, because shaders need not support infinity.
     const now_s = old ? Infinity : look.now_s[frame];
     const values = { rapids: look.rapids, now_s: Math.min(now_s, 3e38), dimmed: look.dimmed, lightened: look.lightened };
     for (const [name, value] of Object.entries(values)) uniforms[name].value = value;
     if (old) uniforms.paint.value = [...look.compareColour, 1];
   }
 
-  /** Its textures are the page's. */
+  /** Its textures belong to the page. */
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();

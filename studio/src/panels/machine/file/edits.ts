@@ -1,4 +1,4 @@
-// Changes of the machine's files, one behind the other: each is made of the text that the one before has left.
+// Changes of the machine's files, one after another: each is made on the text that the one before has left.
 
 import type { Change } from "../../../core/history";
 import { referenceTo } from "../../../core/references";
@@ -10,24 +10,24 @@ import { askToml, type At, type TomlChange } from "./toml";
 
 const words = texts.machine;
 
-/** Why a change could not be made, in a sentence. */
+/** Error with a message why a change could not be made. */
 class Refused extends Error {}
 
-/** Where a file is named. */
+/** Place that names a file. */
 type Owner = { key: keyof Setup } | { part: Part; at: At };
 
 const MOST_TRIES = 3;
 
 export class Edits {
   private last: Promise<unknown> = Promise.resolve();
-  /** Copies of samples that were made here, by the names of those. */
+  /** Copies of samples that were made here, by the names of the samples. */
   private readonly copies = new Map<string, string>();
 
   constructor(private readonly model: Model) {}
 
   /**
-   * Makes changes of the file that is looked at; a sample is copied first. The answer is empty, or says why nothing was
-   * changed. `made` is called when it is certain what the change will be, before anything is drawn anew.
+   * Makes changes of the shown file; a sample is copied first. Returns an empty text, or why nothing was
+   * changed. Calls `made` when it is certain what the change will be, before anything is redrawn.
    */
   change(part: Part, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
     const file = this.model.file(part);
@@ -35,13 +35,13 @@ export class Edits {
     return this.queue(() => this.make(label, change, made));
   }
 
-  /** Whether a part is of the same file as when it was looked at, or of the copy of that. */
+  /** True if a part still uses the given file, or the copy of that. */
   private isStill(part: Part, file: string): boolean {
     const now = this.model.file(part);
     return now === file || now === this.copies.get(file);
   }
 
-  /** A copy of a sample, where the file is one; answers with the name of what may be changed. */
+  /** Copies the file if it is a sample; returns the name of the file that may be changed. */
   async own(part: Part): Promise<string> {
     const file = await this.settled(part);
     if (file !== this.model.file(part)) return file;
@@ -50,7 +50,7 @@ export class Edits {
     return name;
   }
 
-  /** The name of the file that is looked at, when all changes of files that were begun before have been made. */
+  /** Returns the name of the shown file, after all earlier changes of files have been made. */
   settled(part: Part): Promise<string> {
     const file = this.model.file(part);
     return this.queue(async () => {
@@ -65,7 +65,7 @@ export class Edits {
     return next;
   }
 
-  /** Null for a change: there is nothing any more that it would be of. */
+  /** A change of null means that its file is no longer in use. */
   private async make(label: string, change: () => Promise<Change | null>, made: () => void): Promise<string> {
     const { history } = this.model.session;
     try {
@@ -73,7 +73,7 @@ export class Edits {
         await this.model.read();
         const before = this.textsNow();
         const wanted = await change();
-        // Somebody may have typed in it meanwhile.
+        // The user may have edited the text meanwhile.
         if (before !== this.textsNow()) continue;
         if (!wanted) return this.dropped(words.otherFile(label));
         made();
@@ -88,13 +88,13 @@ export class Edits {
     }
   }
 
-  /** Where it was asked for something else may be shown by now. */
+  /** Reports in the notice, because the form that requested it may now show something else. */
   private dropped(why: string): string {
     this.model.store.set("notice", why);
     return why;
   }
 
-  /** What a change is made of: the files, and which they are. */
+  /** Returns the inputs of a change: the texts of the files, and their names. */
   private textsNow(): string {
     const { session, parts, store } = this.model;
     const { machine, cell, robots } = session.setup;
@@ -108,7 +108,7 @@ export class Edits {
     return documents.isOwn(file) ? file : nameOfCopy(file, (name) => documents.exists(name));
   }
 
-  /** What becomes of all files when one of them changes. */
+  /** Returns the changes of all files that a change of one of them causes. */
   private async changed(part: Part, changes: TomlChange[]): Promise<Change> {
     const { model } = this;
     const file = model.file(part);
@@ -133,7 +133,7 @@ export class Edits {
     return this.model.parts.has("robots") ? { part: "robots", at: ["robot", this.model.robot, part] } : { key: part };
   }
 
-  /** Takes a file, which may be new, for a part. */
+  /** Uses a file, which may be new, for a part. */
   choose(part: Part, label: string, name: string, text?: string): Promise<string> {
     const chosen = async () => {
       const { documents = {}, setup = {} } = await this.named(part, name);

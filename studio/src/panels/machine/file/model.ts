@@ -1,4 +1,4 @@
-// The files that say what the machine and its cell are, as they stand now: read again whenever one of them changes.
+// Current files of the machine and its cell: read again whenever one of them changes.
 
 import { faultsOf } from "../../../core/faults";
 import { Debounced } from "../../../core/debounced";
@@ -10,7 +10,7 @@ import type { Told } from "../../../run/run";
 import { askToml, tablesAt, textAt, type TomlTable } from "./toml";
 
 const CONTROLLERS = "samples/controllers/";
-/** Of a machine file that names none. */
+/** Model for a machine file that names none. */
 const DEFAULT_MODEL = "exact-stop";
 
 /** What a file is for. */
@@ -18,7 +18,7 @@ export type Part = "machine" | "cell" | "controller" | "robots";
 
 export interface Loaded {
   file: string;
-  /** Null where it is no TOML: `fault` says where. */
+  /** Null if it is not valid TOML: `fault` has the position. */
   value: TomlTable | null;
   fault: Told | null;
 }
@@ -26,9 +26,11 @@ export interface Loaded {
 const PAUSE_MS = 20;
 
 export class Model {
-  /** Undefined: there is no such file. */
+  /** Loaded files; undefined if a part has no file. */
   readonly parts = new Map<Part, Loaded>();
-  /** The table of the controller that the machine's, or its controller file's, begins from. */
+  /**
+   * Controller table of the base model that the machine's controller, or its controller file, starts from.
+   */
   controllerBase: TomlTable = {};
   private isShown = false;
   private reading: Promise<void> = Promise.resolve();
@@ -47,12 +49,12 @@ export class Model {
     store.on("robot", () => this.renew());
   }
 
-  /** Told whenever the files have been read again. */
+  /** Adds a listener for each new reading of the files. */
   on(listener: () => void): void {
     this.listeners.add(listener);
   }
 
-  /** Files are read while somebody looks. */
+  /** Reads files only while the form is visible. */
   show(isShown: boolean): void {
     this.isShown = isShown;
     if (isShown) this.renew();
@@ -66,7 +68,7 @@ export class Model {
     return this.parts.get(part)?.value ?? {};
   }
 
-  /** Of the robots of a file, the one that is shown. */
+  /** Number of the shown robot, among the robots of a file. */
   get robot(): number {
     return this.shownOf(this.value("robots"));
   }
@@ -79,7 +81,7 @@ export class Model {
     if (this.isShown) this.soon.after(PAUSE_MS);
   }
 
-  /** Until they are as they stand now. */
+  /** Waits until the current files are read. */
   read(): Promise<void> {
     this.soon.cancel();
     this.reading = this.readAll();
@@ -116,7 +118,7 @@ export class Model {
   }
 
   private async load(file: string): Promise<Loaded> {
-    // Settings of a control are read as they are, and changed as text.
+    // Settings of a controller are read as they are, and changed as text.
     if (!isFile(file)) return { file, value: null, fault: null };
     const text = this.session.documents.text(file);
     const known = this.known.get(file);
@@ -128,7 +130,7 @@ export class Model {
   }
 }
 
-/** What the engine finds in the machine's files, and in the machine that they make. */
+/** Results of the engine for the machine's files, and for the machine that they define. */
 export interface Checked {
   faults: Told[];
   check: Record<string, unknown> | null;

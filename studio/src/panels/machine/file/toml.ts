@@ -1,4 +1,4 @@
-// A TOML document as the engine reads and changes it; comments and order stay.
+// TOML document as the engine reads and changes it; comments and order are kept.
 
 import type { FileContent } from "../../../core/file_content";
 import { faultsOf } from "../../../core/faults";
@@ -10,7 +10,7 @@ export interface TomlTable {
   [key: string]: Toml;
 }
 
-/** Where a value is: keys of tables and numbers of elements, from 0. */
+/** Position of a value: keys of tables and numbers of elements, from 0. */
 export type At = (string | number)[];
 
 export type TomlChange =
@@ -24,13 +24,13 @@ export interface Written {
   text: string;
 }
 
-/** What has become of a document, or why nothing has. */
+/** Changed document, or the reason why it was not changed. */
 export type Answer = { written: Written; fault: null } | { written: null; fault: Told };
 
-/** `content` is what the file would have, where it is no document yet. */
+/** Reads or changes a file; `content` is its text if it is not a document yet. */
 export async function askToml(session: Session, file: string, changes: TomlChange[], content?: FileContent): Promise<Answer> {
   const files = { [file]: content ?? session.documents.get(file) ?? "" };
-  // Of all documents the engine needs this one.
+  // The engine needs only this one of all documents.
   const answer = await session.question({ do: "toml", file, changes }, files, new Map());
   const found = answer.messages.find(({ is }) => is === "toml");
   if (!answer.ok || !found) {
@@ -56,7 +56,7 @@ export const tableAt = (root: Toml | undefined, at: At): TomlTable => {
   return value !== null && typeof value === "object" && !Array.isArray(value) ? value : {};
 };
 
-/** The tables of an array of them. */
+/** Returns the tables of an array of tables. */
 export const tablesAt = (root: Toml | undefined, at: At): TomlTable[] => {
   const value = valueAt(root, at);
   if (!Array.isArray(value)) return [];

@@ -1,11 +1,11 @@
-// A list of which each entry can be opened: axes, objects, bodies. Entries are known by a name, so that one stays open, and
-// keeps the focus, when others come and go.
+// List with entries that can be opened: axes, objects, bodies. Entries are identified by name, so that one
+// stays open, and keeps the focus, when others come and go.
 
 import { arrange } from "../../../core/dom";
 
 export interface Card {
   element: HTMLElement;
-  /** `index`: the number of its table now. */
+  /** `index`: the current number of its table. */
   draw(index: number): void;
 }
 
@@ -17,7 +17,7 @@ export class Cards {
     private readonly make: (name: string) => Card,
   ) {}
 
-  /** Names that stand twice are told apart by their place. */
+  /** Numbers repeated names by position, to keep them distinct. */
   draw(names: readonly string[]): void {
     const unique = names.map((name, i) => (names.indexOf(name) === i ? name : `${name} ${i}`));
     for (const name of [...this.cards.keys()]) if (!unique.includes(name)) this.cards.delete(name);
@@ -30,7 +30,7 @@ export class Cards {
     all.forEach((card, index) => card.draw(index));
   }
 
-  /** One has another name from now on. */
+  /** Renames an entry. */
   rename(from: string, to: string): void {
     const card = this.cards.get(from);
     if (!card || this.cards.has(to)) return;

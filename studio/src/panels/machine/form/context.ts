@@ -1,4 +1,4 @@
-// What all parts of the form work with.
+// Data that all parts of the form use.
 
 import type { Session } from "../../../core/session";
 import type { Store } from "../../../core/store";
@@ -14,7 +14,7 @@ export interface Context {
   keys: Keys;
 }
 
-/** A part of the form; drawn anew whenever the files have been read, in place. */
+/** Part of the form; redrawn in place whenever the files have been read. */
 export interface Section {
   element: HTMLElement;
   draw(): void;

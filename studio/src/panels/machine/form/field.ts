@@ -1,5 +1,5 @@
-// One value of a file, to be seen and changed. What is typed stays until it is handed on; what the file says comes back at
-// any time.
+// One value of a file, to view and change. Typed text stays until it is passed on; the value of the file can
+// change at any time.
 
 import { element, offer } from "../../../core/dom";
 import type { Store } from "../../../core/store";
@@ -14,18 +14,18 @@ export interface Spec extends Range {
   label: string;
   kind: "number" | "text" | "choice" | "switch" | "list" | "numbers";
   unit?: string;
-  /** What it is for; with `showsMeaning` it stands below, else it is told when one points there. */
+  /** Purpose of the value; with `showsMeaning` it is shown below, else as a tooltip. */
   meaning?: string;
   showsMeaning?: boolean;
-  /** Of a text those that are offered beside what one may write. */
+  /** Suggested values; a text may have others. */
   choices?: readonly (readonly [value: string, text: string])[];
   /** It may not be empty. */
   isNeeded?: boolean;
-  /** Its label stands above it. */
+  /** True if its label is above it. */
   isNarrow?: boolean;
 }
 
-/** Makes the change; undefined: the key is taken away. The answer is empty, or says why it could not be. */
+/** Makes the change; undefined removes the key. Returns an empty text, or an error message. */
 export type Commit = (value: Toml | undefined) => Promise<string>;
 
 let count = 0;
@@ -64,14 +64,14 @@ export class Field {
     return element("input", { ...attributes, type: "text", inputmode, list, spellcheck: "false", autocomplete: "off" });
   }
 
-  /** What the file says, and what holds where it says nothing; also when the page's units are others. */
+  /** Shows the value of the file, and the default if it has none; also after a change of the page's units. */
   show(value: Toml | undefined, fallback?: Toml): void {
     this.value = value;
     this.fallback = fallback;
     this.draw();
   }
 
-  /** Of a choice, which values there are. */
+  /** Sets the options of a choice. */
   offer(choices: readonly (readonly [value: string, text: string])[]): void {
     this.spec = { ...this.spec, choices };
     this.draw();
@@ -92,7 +92,7 @@ export class Field {
     }
     const fallback = this.textOf(this.fallback);
     this.control.placeholder = fallback === "inf" || fallback === "-inf" ? words.unlimited : fallback;
-    // What a person is writing is not theirs to lose.
+    // Text that a user is typing must not be lost.
     const isWriting = document.activeElement === this.control && this.control.value !== this.shown;
     if (isWriting && text === this.shown) return;
     if (this.control.value !== text) this.control.value = text;
@@ -117,7 +117,7 @@ export class Field {
     return [["", fallback === undefined ? words.notSaid : words.asElse(fallback)], ...known, ...strange];
   }
 
-  /** What is written, for the file; a fault in a sentence where it cannot be that. */
+  /** Returns the typed value for the file, or an error message if it is not valid. */
   private written(): { value: Toml | undefined } | { fault: string } {
     const { kind, unit = "", isNeeded } = this.spec;
     const text = this.control.value.trim();

@@ -1,16 +1,16 @@
-// What may stand in the tables of a file: the engine tells it (docs/studio.md).
+// Possible keys in the tables of a file, as reported by the engine (docs/studio.md).
 
 import type { Session } from "../../../core/session";
 import type { Toml } from "../file/toml";
 
-/** Which numbers a key takes. */
+/** Range of numbers that a key accepts. */
 export interface Range {
   least?: number;
-  /** The least itself is none of them. */
+  /** Lower limit that is itself excluded. */
   above?: number;
   most?: number;
   below?: number;
-  /** Others that it takes, too. */
+  /** Other values that it also accepts. */
   or?: (number | string)[];
   whole?: boolean;
 }
@@ -25,17 +25,17 @@ export interface Key extends Range {
   elements?: "number" | "text" | "list" | "table";
   default?: Toml;
   choices?: string[];
-  /** There are others than these choices. */
+  /** True if other values than these choices are possible. */
   open?: boolean;
   required?: boolean;
-  /** It stands for all keys of this form. */
+  /** Pattern for all keys of this form. */
   pattern?: string;
 }
 
 interface Table {
-  /** Its keys from the document on. */
+  /** Keys from the top of the document to the table. */
   at: string[];
-  /** Where others of the name have other keys. */
+  /** Condition, if tables of the same name have different keys. */
   where?: Record<string, string>;
   keys: Key[];
 }
@@ -47,7 +47,10 @@ export class Keys {
 
   constructor(private readonly session: Session) {}
 
-  /** Asked for once. The answer finds the keys of a table by where it is, "controller.stops", and what kind of it is meant. */
+  /**
+   * Requests the keys once. The result finds the keys of a table by its position, "controller.stops", and by
+   * its kind.
+   */
   async of(file: KeyedFile): Promise<(at: string, kind?: string) => Key[]> {
     const asked = this.known.get(file) ?? this.ask(file);
     this.known.set(file, asked);

@@ -1,4 +1,4 @@
-// Numbers of files as a person reads and writes them: files are in mm, the page in mm or inch.
+// Numbers as users read and write them: files are in mm, the page in mm or inch.
 
 import type { Units } from "../../../core/store";
 import { length, lengthUnit, mmOf } from "../../../core/units";
@@ -12,7 +12,7 @@ const isLength = (unit: string): boolean => unit.startsWith("mm");
 const powers: Record<string, string> = { s2: "s²", s3: "s³" };
 const signs: Record<string, string> = { deg: "°", percent: "%" };
 
-/** "mm/s2" is shown as "mm/s²", or "in/s²". */
+/** Returns the shown unit: "mm/s2" is "mm/s²" or "in/s²". */
 export function unitText(unit: string, units: Units): string {
   const [above, below] = unit.split("/");
   const top = above === "mm" ? lengthUnit(units) : (signs[above] ?? above);
@@ -21,26 +21,26 @@ export function unitText(unit: string, units: Units): string {
 
 const suffixes = ["mm_s3", "mm_s2", "mm_s", "mm_min", "mm", "deg_s3", "deg_s2", "deg_s", "deg", "percent", "1_s", "s"];
 
-/** By the end of a key's name: "max_speed_mm_s" is in "mm/s". */
+/** Returns the unit from the end of a key's name: "max_speed_mm_s" is in "mm/s". */
 export function unitOf(key: string): string {
   return suffixes.find((suffix) => key.endsWith(`_${suffix}`))?.replace("_", "/") ?? "";
 }
 
-/** "max_speed_mm_s" is called "Max speed". */
+/** Returns the shown name: "max_speed_mm_s" is "Max speed". */
 export function nameOf(key: string): string {
   const unit = unitOf(key).replace("/", "_");
   const bare = (unit ? key.slice(0, -unit.length - 1) : key).replaceAll("_", " ").replace(/(\D)(\d)$/, "$1 $2");
   return bare.charAt(0).toUpperCase() + bare.slice(1);
 }
 
-/** A number of a file, or the name of one that is not finite. */
+/** Returns a number of a file as text, or the name of a number that is not finite. */
 export function numberText(value: Toml | undefined, unit: string, units: Units): string {
   if (typeof value === "string") return value;
   if (typeof value !== "number") return "";
   return String(isLength(unit) && units === "inch" ? rounded(length(value, units)) : value);
 }
 
-/** What a person has written, as the file has it; null: it is no number. */
+/** Converts typed text to a number for the file; null: not a number. */
 export function numberOf(text: string, unit: string, units: Units): number | string | null {
   const written = text.trim().toLowerCase().replace("−", "-");
   if (/^[+-]?inf$/.test(written)) return written.replace("+", "");

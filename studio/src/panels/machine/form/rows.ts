@@ -1,4 +1,4 @@
-// The keys of a table, each a field.
+// Keys of a table, each as a field.
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -20,15 +20,15 @@ export function specOf(key: Key, more: Partial<Spec> = {}): Spec {
   return { ...range, label: nameOf(name), kind: kinds[kind], choices: offered, isNeeded: required, ...more };
 }
 
-/** What holds of keys that are not said. */
+/** Returns the defaults of keys that are not set. */
 export const defaultsOf = (keys: Key[]): TomlTable =>
   Object.fromEntries(keys.flatMap(({ name, default: value }) => (value === undefined ? [] : [[name, value]])));
 
-/** Where a table is, and what it is called. */
+/** Position of a table, and its name. */
 export interface Home {
   part: Part;
   at: At;
-  /** "X": what of the machine it says something of; empty: of all of it. */
+  /** "X": part of the machine that it describes; empty: the complete machine. */
   owner: string;
 }
 
@@ -51,7 +51,7 @@ export class Rows {
     }
   }
 
-  /** `fallbacks`: what holds of keys that the table has not. */
+  /** `fallbacks`: defaults of keys that the table does not have. */
   show(table: TomlTable, fallbacks: TomlTable = {}): void {
     this.table = table;
     for (const [key, field] of this.fields) field.show(table[key], fallbacks[key]);
@@ -72,7 +72,7 @@ export class Rows {
 
 const POSE = ["x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"] as const;
 
-/** The six numbers of a frame. */
+/** Creates the six numbers of a frame. */
 export function poseRows(context: Context, home: () => Home): Rows {
   const spec = (key: string): Spec => ({
     label: words.pose[key as (typeof POSE)[number]],

@@ -1,4 +1,4 @@
-// Keys of which there are more than can be shown: words of programs, and how long each takes.
+// Keys that are too many to show all: words of programs, and the duration of each.
 
 import { arrange, element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -16,7 +16,7 @@ export class WordRows {
   private readonly word = element("input", { type: "text", "aria-label": words.word, placeholder: words.word, spellcheck: "false" });
   private readonly fault = element("p", { class: "key-fault", role: "alert" });
 
-  /** `spec`: of each value; `first`: what a new word gets. */
+  /** `spec`: description of each value; `first`: value of a new word. */
   constructor(
     private readonly context: Context,
     private readonly spec: Omit<Spec, "label">,

@@ -1,4 +1,4 @@
-// Which object, frame or body is opened in the form: it has the handle in the view.
+// Object, frame or body that is open in the form: it has the handle in the view.
 
 import type { Part } from "../file/model";
 import type { ItemKind } from "./tree";

@@ -1,4 +1,4 @@
-// How far two bodies are from each other, at the instant that is shown.
+// Distance between two bodies, at the shown instant.
 
 import { choice, element, offer } from "../../../core/dom";
 import { robotOf } from "../../../core/shown";
@@ -10,7 +10,7 @@ import type { Context, Section } from "../form/context";
 
 const words = texts.machine.distance;
 
-/** In mm; null: one of them is not there. */
+/** Returns mm, or null if one of them does not exist. */
 export function distanceOf(store: Store, first: string, second: string): number | null {
   const robot = robotOf(store);
   const bodies = robot?.scene.bodies ?? [];

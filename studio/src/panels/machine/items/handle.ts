@@ -1,4 +1,4 @@
-// The handle in the view by which the chosen object, frame or body is moved.
+// Handle in the view that moves the chosen object, frame or body.
 
 import { Matrix4 } from "three";
 import { robotOf } from "../../../core/shown";
@@ -9,7 +9,7 @@ import type { Chosen, Item } from "./chosen";
 import { changesOfPose, matrixOf, poseOf } from "./pose";
 import { attachKey } from "./tree";
 
-/** Of mm and degrees: a hand is not finer. */
+/** Decimals of mm and degrees: manual motion is not finer. */
 const DIGITS = 2;
 
 export class Handle {
@@ -21,7 +21,7 @@ export class Handle {
     for (const key of ["run", "time_s", "robot"] as const) context.store.on(key, () => this.draw());
   }
 
-  /** Puts the handle where the chosen one is, or takes it away. */
+  /** Moves the handle to the chosen item, or removes it. */
   draw(): void {
     const { item } = this.chosen;
     const place = item && this.placeOf(item);
@@ -39,7 +39,7 @@ export class Handle {
     });
   }
 
-  /** As the file has it now; null: what it is attached to is not there. */
+  /** Returns the pose from the current file; null if the parent does not exist. */
   private placeOf(item: Item): { parent: Matrix4; pose: Matrix4; frame: number } | null {
     const { store } = this.context;
     const robot = robotOf(store);

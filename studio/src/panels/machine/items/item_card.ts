@@ -1,4 +1,4 @@
-// One object, frame or body: its shape, what it is attached to, and where it stands there.
+// One object, frame or body: its shape, its parent, and its pose there.
 
 import { element } from "../../../core/dom";
 import { baseName } from "../../../core/kinds";
@@ -19,7 +19,7 @@ const words = texts.machine.items;
 
 export interface ItemEvents {
   renamed(to: string): void;
-  /** Names that it may be attached to. */
+  /** Returns the names of possible parents. */
   parents(index: number): string[];
   isTaken(name: string): boolean;
 }
@@ -117,7 +117,7 @@ export class ItemCard implements Card {
     if (this.element.open !== isChosen) this.open(isChosen);
   }
 
-  /** What is chosen elsewhere comes into sight. */
+  /** Opens the card; one chosen elsewhere is scrolled into view. */
   private open(isOpen: boolean): void {
     this.element.open = isOpen;
     if (!isOpen) return;

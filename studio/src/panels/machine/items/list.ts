@@ -1,4 +1,4 @@
-// All objects, frames or bodies of a file.
+// List of the objects, frames or bodies of a file.
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -14,17 +14,17 @@ const words = texts.machine.items;
 
 const namesOf = (value: TomlTable, kind: ItemKind): string[] => tablesAt(value, [kind]).map((table) => textAt(table, ["name"]));
 
-/** Of objects and of parts of the machine that a file may name. */
+/** Returns the names of objects and of machine parts that a file may use. */
 export function bodyNames({ model }: Context, part: Part): string[] {
   const ofMachine = namesOf(model.value("machine"), "shape");
   const cell = model.value("cell");
   return part === "machine" ? ofMachine : [...namesOf(cell, "object"), ...namesOf(cell, "shape"), ...ofMachine];
 }
 
-/** Names that nothing else may have. */
+/** Returns the names that are already used. */
 const takenNames = (context: Context): string[] => [...namesOf(context.model.value("cell"), "frame"), ...bodyNames(context, "cell")];
 
-/** What of the machine something may be attached to. */
+/** Returns the parts of the machine that can be parents. */
 function placesOfMachine({ model }: Context): string[] {
   const letters = tablesAt(model.value("machine"), ["axis"]).map((axis) => textAt(axis, ["letter"]));
   return ["base", ...letters, "tool", "work"];
@@ -40,7 +40,7 @@ function parentsOf(context: Context, kind: ItemKind, index: number): string[] {
   return ["world", ...above, ...conveyors, ...ofMachine, ...namesOf(context.model.value("machine"), "shape")];
 }
 
-/** What a new one is called, and what it is. */
+/** Name and contents of a new item. */
 interface Offer {
   label: string;
   name: string;

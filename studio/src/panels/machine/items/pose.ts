@@ -1,4 +1,4 @@
-// A frame's six numbers and its matrix: Rz(roll) Ry(pitch) Rx(yaw), as in machine files.
+// Six numbers of a frame and its matrix: Rz(roll) Ry(pitch) Rx(yaw), as in machine files.
 
 import { Euler, MathUtils, Matrix4, Vector3 } from "three";
 import type { At, TomlChange, TomlTable } from "../file/toml";
@@ -13,11 +13,11 @@ export function matrixOf(pose: TomlTable): Matrix4 {
   return turned.setPosition(numberAt(pose, "x_mm"), numberAt(pose, "y_mm"), numberAt(pose, "z_mm"));
 }
 
-/** A rigid matrix as a frame has it, with so many digits. */
+/** Returns a rigid matrix as the table of a frame, with so many digits. */
 export function poseOf(matrix: Matrix4, digits: number): TomlTable {
   const place = new Vector3().setFromMatrixPosition(matrix);
   const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX");
-  // No "-0".
+  // Avoids "-0".
   const rounded = (value: number) => Number(value.toFixed(digits)) + 0;
   const angle = (radians: number) => rounded(radToDeg(radians));
   return {
@@ -30,7 +30,7 @@ export function poseOf(matrix: Matrix4, digits: number): TomlTable {
   };
 }
 
-/** What makes the frame at a place another one: numbers that stay are not touched. */
+/** Returns the changes that turn one frame into another; unchanged numbers are left out. */
 export function changesOfPose(at: At, before: TomlTable, after: TomlTable): TomlChange[] {
   return Object.entries(after).flatMap(([key, value]): TomlChange[] =>
     numberAt(before, key) === value ? [] : [{ op: "set", at: [...at, key], value }],

@@ -1,11 +1,11 @@
-// Shapes of bodies as files have them: one of five kinds, each with its sizes.
+// Shapes of bodies in files: one of five kinds, each with its sizes.
 
 import type { Toml, TomlTable } from "../file/toml";
 
 export const shapeKinds = ["box", "cylinder", "capsule", "sphere", "mesh"] as const;
 export type ShapeKind = (typeof shapeKinds)[number];
 
-/** The key of a kind, and what its numbers are. */
+/** Key of each kind, and the meaning of its numbers. */
 const sizes: Record<Exclude<ShapeKind, "mesh">, { key: string; parts: string[] }> = {
   box: { key: "box_mm", parts: ["x", "y", "z"] },
   cylinder: { key: "cylinder_mm", parts: ["diameter", "height"] },
@@ -15,7 +15,7 @@ const sizes: Record<Exclude<ShapeKind, "mesh">, { key: string; parts: string[] }
 
 export const sizesOf = (kind: ShapeKind): { key: string; parts: string[] } => (kind === "mesh" ? { key: "mesh", parts: [] } : sizes[kind]);
 
-/** Null: it is none that is known. */
+/** Returns null if the kind is not known. */
 export const kindOfShape = (shape: TomlTable): ShapeKind | null => shapeKinds.find((kind) => sizesOf(kind).key in shape) ?? null;
 
 export function numbersOf(shape: TomlTable): number[] {
@@ -24,7 +24,7 @@ export function numbersOf(shape: TomlTable): number[] {
   return (Array.isArray(value) ? value : [value]).filter((each): each is number => typeof each === "number");
 }
 
-/** Where the numbers of a shape stand below it: those of a list by their place. */
+/** Returns the position of a number below its shape: those of a list by their index. */
 export const placeOfNumber = (kind: ShapeKind, part: number): (string | number)[] =>
   kind === "sphere" ? [sizesOf(kind).key] : [sizesOf(kind).key, part];
 

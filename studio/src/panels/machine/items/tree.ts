@@ -1,13 +1,14 @@
-// Objects, frames and bodies of a file among each other: what is attached to what, and what has to change with one of them.
+// Relations between objects, frames and bodies of a file: their parents, and the changes that one causes in
+// the others.
 
 import { Matrix4 } from "three";
 import { tableAt, tablesAt, textAt, valueAt, type At, type TomlChange, type TomlTable } from "../file/toml";
 import { changesOfPose, matrixOf, poseOf } from "./pose";
 
-/** Tables of a cell or a machine that stand somewhere. */
+/** Tables of a cell or a machine that have a pose. */
 export type ItemKind = "frame" | "object" | "shape";
 
-/** What says to what it is attached. */
+/** Returns the key that names the parent. */
 export const attachKey = (kind: ItemKind): string => (kind === "shape" ? "on" : "attached_to");
 
 const DIGITS = 6;
@@ -17,7 +18,7 @@ interface Attached {
   table: TomlTable;
 }
 
-/** All that has a name of the file's tables in `attached_to`. */
+/** Returns all tables of the file with this name in `attached_to`. */
 function attachedTo(value: TomlTable, name: string): Attached[] {
   return (["frame", "object"] as const).flatMap((kind) =>
     tablesAt(value, [kind]).flatMap((table, i): Attached[] => (table.attached_to === name ? [{ at: [kind, i], table }] : [])),
@@ -31,7 +32,7 @@ export function ignoredPairs(value: TomlTable): [string, string][] {
   return list.map((pair): [string, string] => (Array.isArray(pair) ? [String(pair[0]), String(pair[1])] : ["", ""]));
 }
 
-/** A new name, also where others name it. */
+/** Returns the changes for a new name, also in references. */
 export function renaming(value: TomlTable, at: At, from: string, to: string): TomlChange[] {
   const attached = attachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
   const ignored = ignoredPairs(value).flatMap((pair, i) =>
@@ -40,7 +41,7 @@ export function renaming(value: TomlTable, at: At, from: string, to: string): To
   return [{ op: "set", at: [...at, "name"], value: to }, ...attached, ...ignored];
 }
 
-/** What is attached to it stays where it is, and pairs with it go. */
+/** Removes an item: attached items keep their pose, and pairs with it are removed. */
 export function removing(value: TomlTable, kind: ItemKind, index: number): TomlChange[] {
   const table = tablesAt(value, [kind])[index];
   const name = textAt(table, ["name"]);
@@ -56,7 +57,7 @@ export function removing(value: TomlTable, kind: ItemKind, index: number): TomlC
   return [...left, ...pairs.map((i): TomlChange => ({ op: "remove", at: ["ignore", i] })), { op: "remove", at: [kind, index] }];
 }
 
-/** "clamp 2", where there is a "clamp". */
+/** Returns a free name: "clamp 2", if "clamp" is taken. */
 export function freeNameOf(name: string, isTaken: (name: string) => boolean): string {
   const stem = name.replace(/ \d+$/, "");
   let free = name;

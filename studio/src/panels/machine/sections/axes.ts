@@ -1,4 +1,4 @@
-// The axes, each a card: what it can do in sight, how it lies behind "More".
+// Axes, each as a card: its capabilities are visible, its geometry is under "More".
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -16,7 +16,7 @@ const LETTERS = [..."XYZABCUVW"];
 type Kind = "linear" | "rotary";
 const kindOf = (axis: TomlTable): Kind => (axis.kind === "rotary" ? "rotary" : "linear");
 
-/** In sight; the others stand behind "More". */
+/** Returns the visible keys; the others are under "More". */
 const mainKeys = (kind: Kind): string[] =>
   kind === "linear"
     ? ["min_mm", "max_mm", "max_speed_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3", "home_mm"]
@@ -132,7 +132,7 @@ class AxisCard implements Card {
     return this.edit(words.letter, [change], () => this.renamed(letter));
   }
 
-  /** What is in mm means nothing in degrees, and goes. */
+  /** Changes the kind; values in mm mean nothing in degrees, and are removed. */
   private changeKind(kind: string): Promise<string> {
     const known = this.keys[kind as Kind].map(({ name }) => name);
     const gone = Object.keys(this.axis).filter((key) => !known.includes(key));

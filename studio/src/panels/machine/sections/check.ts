@@ -1,4 +1,4 @@
-// What a careful person would want to know of the machine: directions, its inverse, singular ranges, what can touch.
+// Details for a careful user: directions of the machine, its inverse, singular ranges, possible contacts.
 
 import { arrange, element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -6,7 +6,7 @@ import type { Checked } from "../file/model";
 
 const words = texts.machine.check;
 
-/** As gsim-run --check-machine --json has it. */
+/** Result as of gsim-run --check-machine --json. */
 export interface MachineCheck {
   clean: boolean;
   home_mm: number[];

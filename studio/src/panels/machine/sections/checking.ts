@@ -1,4 +1,4 @@
-// Asks for the check when the files have changed: by itself while it is quick, else when a person wants it.
+// Requests the check after changes of the files: automatically while it is quick, else on demand.
 
 import { Debounced } from "../../../core/debounced";
 import { element } from "../../../core/dom";
@@ -22,13 +22,13 @@ export class Checking {
     private readonly context: Context,
     private readonly told: (checked: Checked) => void,
   ) {
-    // Of files that cannot be read it is soon known why.
+    // The check of unreadable files is quick, so the reason is shown at once.
     context.store.on("run", (run) => {
       if (run?.failure && !this.button.hidden) void this.check();
     });
   }
 
-  /** The files have been read again. */
+  /** Called after the files have been read again. */
   renew(): void {
     const now = this.textsNow();
     if (now === this.checked) return;

@@ -1,5 +1,5 @@
-// The control: a model that is built in or a file, and what of it is said otherwise. A key is changed where it stands: in
-// the machine's file, or in that of the controller, where the machine names one.
+// Controller: a built-in model or a file, and the keys that override it. A key is changed in the file that
+// has it: the machine's, or that of the controller if the machine names one.
 
 import { element } from "../../../core/dom";
 import { baseName } from "../../../core/kinds";
@@ -51,13 +51,13 @@ class Controller implements Section {
   }
 
   private makeRow(key: Key, at: At): Row {
-    // Words of programs are called what they are.
+    // Words of programs are shown under their own names.
     const ofWord = { label: key.name };
     const spec = specOf(key, at[0] === "stops" ? ofWord : { showsMeaning: true });
     return { key, at, field: new Field(this.context.store, spec, (value) => this.put(spec.label, at, value)) };
   }
 
-  /** Where a key is said. */
+  /** Returns the file that sets a key. */
   private homeOf(at: At): { part: Part; value: Toml | undefined } | null {
     for (const part of ["machine", "controller"] as const) {
       const table = tableAt(this.context.model.value(part), ["controller", ...at.slice(0, -1)]);
@@ -67,7 +67,7 @@ class Controller implements Section {
     return null;
   }
 
-  /** Where a key goes that is said nowhere. */
+  /** Returns the file for a key that no file sets. */
   private get freePart(): Part {
     return this.context.model.parts.has("controller") ? "controller" : "machine";
   }
@@ -111,7 +111,7 @@ class Controller implements Section {
     for (const { at, field } of this.rows) field.element.hidden = this.onlySaid.checked && this.homeOf(at) === null;
   }
 
-  /** Those that are built in, by name, and files of one's own. */
+  /** Returns the built-in models by name, and the user's own files. */
   private models(): [string, string][] {
     const { documents } = this.context.session;
     return controlNames(documents).map((name) => [name, baseName(name)]);

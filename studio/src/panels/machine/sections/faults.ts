@@ -1,4 +1,4 @@
-// What is wrong with the files: where, what, and a way to the text there.
+// Errors of the files: position, message, and a link to the text.
 
 import { arrange, element } from "../../../core/dom";
 import { baseName } from "../../../core/kinds";
@@ -14,12 +14,12 @@ export class Faults {
   readonly element = element("ul", { class: "faults", role: "alert", "aria-label": words.title, hidden: true });
   private shown = "";
 
-  /** `go`: to the text of a file, at a line; null: there is no way there. */
+  /** `go`: opens the text of a file at a line; null: no link. */
   constructor(private readonly go: ((file: string, line: number) => void) | null) {}
 
   show(faults: readonly Told[]): void {
     const texts = faults.map((fault) => `${placeOf(fault)} ${fault.text}`);
-    // What is said already is not said again, nor does it lose the focus.
+    // Unchanged messages are not announced again, and keep the focus.
     if (texts.join("\n") === this.shown) return;
     this.shown = texts.join("\n");
     this.element.hidden = faults.length === 0;

@@ -1,4 +1,4 @@
-// Tables of a machine file with a key for each thing: its name, limits of the path, process, times.
+// Tables of a machine file with a fixed set of keys: its name, limits of the path, process, times.
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
@@ -10,7 +10,9 @@ import { POSE_ZERO, Rows, defaultsOf, poseRows, specOf } from "../form/rows";
 
 const words = texts.machine;
 
-/** The keys of one table of the machine's file; those of a form, as M100, in a list that grows. */
+/**
+ * Creates the keys of one table of the machine's file; keys of a form such as M100 are in a list that grows.
+ */
 export function createTable(context: Context, name: string, title: string, all: Key[]): Section {
   const keys = all.filter(({ pattern }) => !pattern);
   const home = () => ({ part: "machine" as const, at: [name], owner: title });
@@ -28,7 +30,7 @@ export function createTable(context: Context, name: string, title: string, all: 
   };
 }
 
-/** A frame that does not move. */
+/** Creates the section of a fixed frame. */
 export function createFrame(context: Context, name: "base" | "tool" | "work"): Section {
   const title = words.frames[name];
   const rows = poseRows(context, () => ({ part: "machine", at: [name], owner: title }));

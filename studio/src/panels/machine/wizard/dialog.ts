@@ -1,4 +1,5 @@
-// From a kind of machine, its sizes, speeds and control to a machine file; it is seen, and checked, before it is taken.
+// Makes a machine file from a kind of machine, its sizes, speeds and controller; it is shown, and checked,
+// before it is used.
 
 import { Debounced } from "../../../core/debounced";
 import { arrange, choice, element, offer } from "../../../core/dom";
@@ -20,7 +21,7 @@ const AXIS_KEYS = ["min", "max", "max_speed", "max_acceleration", "max_jerk", "h
 const PATH_KEYS = ["max_feed_mm_s", "max_rapid_mm_s", "max_acceleration_mm_s2"];
 const powers = { max_speed: "_s", max_acceleration: "_s2", max_jerk: "_s3" } as Record<string, string>;
 
-/** "max_speed" of a rotary axis is "max_speed_deg_s". */
+/** Returns the full key: "max_speed" of a rotary axis is "max_speed_deg_s". */
 const keyOf = (key: string, isRotary: boolean): string => `${key}_${isRotary ? "deg" : "mm"}${powers[key] ?? ""}`;
 
 const isAbove = (key: string): boolean => key.startsWith("max_") && !/^max_(mm|deg)$/.test(key);
@@ -70,7 +71,7 @@ class Wizard {
   private async begin(kind: KindName): Promise<void> {
     const draft = new Draft(this.context.session, kind);
     this.draft = draft;
-    // What is being made of the kind before is not taken for one of this.
+    // A result for the previous kind must not be used for this one.
     ++this.asked;
     this.soon.cancel();
     this.take.disabled = true;
@@ -127,7 +128,7 @@ class Wizard {
     return field.element;
   }
 
-  /** What shows the draft anew: a change of one value may change another. */
+  /** Functions that show the draft again: a change of one value may change another. */
   private readonly shown: (() => void)[] = [];
 
   private nameField(): HTMLElement {

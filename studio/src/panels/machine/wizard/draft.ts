@@ -1,4 +1,4 @@
-// A new machine while it is chosen: a sample and what of it is to be otherwise.
+// Draft of a new machine: a sample and the changes to it.
 
 import { baseName } from "../../../core/kinds";
 import type { Session } from "../../../core/session";
@@ -21,7 +21,7 @@ export class Draft {
   /** What the sample says. */
   sample: TomlTable = {};
   name = "";
-  /** As the sample has it, without them where a person wants none. */
+  /** True if it has the bodies of the sample; false if the user wants none. */
   hasBodies = true;
   private readonly chosen = new Map<string, Toml | undefined>();
 
@@ -46,7 +46,7 @@ export class Draft {
     return this.chosen.has(key) ? this.chosen.get(key) : valueAt(this.sample, at);
   }
 
-  /** An axis whose home is at an end of its travel keeps it there. */
+  /** Sets a value. An axis with its home at an end of its travel keeps it there. */
   set(at: At, value: Toml | undefined): void {
     const [table, axis, key] = at;
     const unit = /^(?:min|max)_(mm|deg)$/.exec(String(key))?.[1];
@@ -80,7 +80,7 @@ export class Draft {
     ];
   }
 
-  /** As it would be; a fault where it cannot be made. */
+  /** Returns the draft as a file, or an error if it cannot be made. */
   async make(): Promise<Made | Told> {
     const { sample } = machineKinds[this.kind];
     const { written, fault } = await askToml(this.session, sample, this.changes());
@@ -93,7 +93,7 @@ export class Draft {
     return checkMachine(this.session, file, "", { [file]: text });
   }
 
-  /** Of the sample, whether it has bodies. */
+  /** True if the sample has bodies. */
   get offersBodies(): boolean {
     return tablesAt(this.sample, ["shape"]).length > 0;
   }

@@ -1,4 +1,5 @@
-// Machines to begin from: samples whose kinematics are right, and what makes another machine of one.
+// Machines to start from: samples with the right kinematics, and the changes that make another machine of
+// one.
 
 import type { TomlChange } from "../file/toml";
 
@@ -6,11 +7,13 @@ const FOLDER = "samples/machines/";
 
 export interface MachineKind {
   sample: string;
-  /** Beside what a person chooses. */
+  /** Changes in addition to those of the user. */
   changes: TomlChange[];
 }
 
-/** With X and Y under the work, as most mills have them; directions say how the tool goes against the work. */
+/**
+ * X and Y are under the work, as in most mills; directions describe the motion of the tool against the work.
+ */
 const tableUnderWork: TomlChange[] = [0, 1].map((axis) => ({ op: "set", at: ["axis", axis, "carries"], value: "work" }));
 
 export const machineKinds = {

@@ -1,4 +1,4 @@
-// What the tables say of each block, as columns; made once for each robot of a run.
+// Data of the tables for each block, as columns; made once for each robot of a run.
 
 import type { Robot } from "../../../run/run";
 import { kindCodeOf, limitAxisOf, limitCodeOf } from "../../../run/segments";
@@ -7,11 +7,14 @@ export class BlockTable {
   readonly count: number;
   readonly duration_s: Float64Array;
   readonly length_mm: Float64Array;
-  /** The highest feed that was asked for, mm/min, or deg/min where the block has no length; 0: a rapid or a dwell. */
+  /** Highest programmed feed, mm/min, or deg/min if the block has no length; 0: a rapid or a dwell. */
   readonly feed_per_min: Float32Array;
   readonly line: Uint32Array;
   readonly file: Uint32Array;
-  /** Of the segment that takes longest: as moveKinds and limitKinds count, and the axis of the limit (-1: none). */
+  /**
+   * Values of the longest segment: indices into moveKinds and limitKinds, and the axis of the limit (-1:
+   * none).
+   */
   readonly kind: Uint8Array;
   readonly limit: Uint8Array;
   readonly axis: Int8Array;

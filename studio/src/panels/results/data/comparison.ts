@@ -1,4 +1,4 @@
-// Two runs, line by line.
+// Comparison of two runs, line by line.
 
 import type { Robot, Run } from "../../../run/run";
 import { blockTableOf } from "./block_table";
@@ -10,7 +10,7 @@ export type Change = "same" | "changed" | "new" | "gone";
 
 export interface Row {
   change: Change;
-  /** Where it stands now; of lines that are gone, where it stood. */
+  /** Current position; for removed lines, the previous one. */
   file: string;
   line: number;
   text: string;
@@ -21,16 +21,16 @@ export interface Row {
 export interface Comparison {
   before_s: number;
   after_s: number;
-  /** Lines whose time differs or that are new or gone, the greatest difference first; `most` of them. */
+  /** Lines that are new, removed or have another time, the largest difference first; `most` of them. */
   rows: Row[];
   /** How many there are. */
   count: number;
 }
 
-/** Below this (s) two times are the same. */
+/** Limit (s) below which two times count as the same. */
 export const SAME_S = 1e-6;
 
-/** For each file the time of each line. */
+/** Returns the time of each line, for each file. */
 function timesOf(run: Run, robot: Robot): Float64Array[] {
   const table = blockTableOf(robot);
   const times = robot.files.map((file) => new Float64Array(linesOf(run.sources, file).count + 1));
@@ -41,7 +41,10 @@ function timesOf(run: Run, robot: Robot): Float64Array[] {
   return times;
 }
 
-/** The file of the run before that this one is: of the same name, or the program as this one is. */
+/**
+ * Returns the file of the previous run that corresponds to this one: by the same name, or as the program of
+ * its run.
+ */
 export function counterpart(name: string, index: number, before: Robot, after: Robot): number {
   const found = before.files.indexOf(name);
   if (found >= 0 || index > 0) return found;
@@ -69,7 +72,7 @@ class Differences {
   }
 }
 
-/** Of the robot with this number in both runs; null: one of them does not have it. */
+/** Compares the robot with this number in both runs; returns null if one of them does not have it. */
 export function compare(beforeRun: Run, afterRun: Run, robot: number, most: number): Comparison | null {
   const [before, after] = [beforeRun.robots[robot], afterRun.robots[robot]];
   if (!before || !after) return null;

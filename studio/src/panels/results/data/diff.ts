@@ -1,11 +1,13 @@
-// Which line of one text is which of another.
+// Matches the lines of one text to those of another.
 
 import type { SourceLines } from "./source_lines";
 
-/** For each line of `after` (by its number) the one of `before` that it is, or was changed from; 0: it is new. */
+/**
+ * For each line number of `after` the line of `before` that it matches, or was changed from; 0: it is new.
+ */
 export interface Matching {
   before: Uint32Array;
-  /** 1 where the texts of a pair differ. */
+  /** 1 if the texts of a pair differ. */
   changed: Uint8Array;
 }
 
@@ -15,7 +17,7 @@ interface Range {
   to: number;
 }
 
-// Above this, a table for the longest common part is too large.
+// Above this, the table for the longest common subsequence is too large.
 const MOST_CELLS = 250_000;
 
 class Differ {
@@ -37,7 +39,7 @@ class Differ {
     this.found.changed[b] = changed ? 1 : 0;
   }
 
-  /** Takes what is the same at both ends off, then looks for lines that stand once in both. */
+  /** Removes equal lines at both ends, then searches for lines that occur once in both. */
   match(a: Range, b: Range): void {
     while (a.from < a.to && b.from < b.to && this.same(a.from, b.from)) this.pair(a.from++, b.from++);
     while (a.from < a.to && b.from < b.to && this.same(a.to - 1, b.to - 1)) this.pair(--a.to, --b.to);
@@ -52,13 +54,13 @@ class Differ {
     }
   }
 
-  /** As many lines in the place of as many are those, changed. */
+  /** Pairs the lines as changed if both ranges have the same number of lines. */
   private change(a: Range, b: Range): void {
     if (a.to - a.from !== b.to - b.from) return;
     for (let i = 0; i < a.to - a.from; ++i) this.pair(a.from + i, b.from + i, true);
   }
 
-  /** Lines that stand once in both, as many of them as are in the same order (patience). */
+  /** Returns lines that occur once in both, as many as are in the same order (patience diff). */
   private unique(a: Range, b: Range): [number, number][] {
     const inA = once(this.a, a);
     const inB = once(this.b, b);
@@ -70,7 +72,7 @@ class Differ {
     return rising(pairs);
   }
 
-  /** The longest common part, from a table. */
+  /** Returns the longest common subsequence, from a table. */
   private common(a: Range, b: Range): [number, number][] {
     const [rows, columns] = [a.to - a.from, b.to - b.from];
     const textA = Array.from({ length: rows }, (_, i) => this.a.line(a.from + i));
@@ -95,7 +97,7 @@ class Differ {
   }
 }
 
-/** For each line's text its number; 0: it stands there more than once. */
+/** Returns the number of each line by its text; 0: it occurs more than once. */
 function once(lines: SourceLines, { from, to }: Range): Map<string, number> {
   const found = new Map<string, number>();
   for (let number = from; number < to; ++number) {
@@ -105,7 +107,7 @@ function once(lines: SourceLines, { from, to }: Range): Map<string, number> {
   return found;
 }
 
-/** The longest part of pairs in order of the first in which the second rises, too. */
+/** Returns the longest part of pairs, in order of the first number, with rising second numbers. */
 function rising(pairs: [number, number][]): [number, number][] {
   const ends: number[] = [];
   const previous = new Int32Array(pairs.length).fill(-1);

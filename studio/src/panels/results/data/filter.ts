@@ -1,4 +1,4 @@
-// Which blocks match what a person has typed.
+// Filters blocks by the text that a user has typed.
 
 import { limitText } from "../../../core/names";
 import { DWELL, limitOf } from "../../../run/limits";
@@ -9,8 +9,8 @@ import type { BlockTable } from "./block_table";
 import { linesOf } from "./source_lines";
 
 /**
- * "230": that line, or the block N230; "200-260": lines; other words: part of the line's text, of the kind of
- * motion or of what limits it.
+ * "230": that line, or the block N230; "200-260": lines; other words: part of the text of the line, of the
+ * kind of motion or of its limit.
  */
 export function filterOf(words: string, run: Run, robot: Robot, table: BlockTable): (block: number) => boolean {
   const wanted = words.trim().toLowerCase();
@@ -35,7 +35,7 @@ export function filterOf(words: string, run: Run, robot: Robot, table: BlockTabl
 const matchingLines = (words: string, run: Run, robot: Robot): Uint8Array[] =>
   robot.files.map((file) => linesOf(run.sources, file).matching(words));
 
-/** First the dwell, then each limit for no axis and for each axis. */
+/** Returns matches: first the dwell, then each limit for no axis and for each axis. */
 function limitMatches(wanted: string, robot: Robot): boolean[] {
   const { letters } = robot;
   const matches = (text: string) => text.toLowerCase().includes(wanted);

@@ -1,8 +1,8 @@
-// The first few of many in an order, without sorting all of them.
+// Selects the first few of many in an order, without sorting all of them.
 
 /**
- * The `most` numbers below `count` that `passes` lets through with the greatest `key`, greatest first; of equals the
- * lower number is first.
+ * Returns up to `most` numbers below `count` that `passes` accepts, with the largest `key`, in descending
+ * order; of equal keys the lower number is first.
  */
 export function greatest(
   count: number,
@@ -14,7 +14,7 @@ export function greatest(
   const keys = new Float64Array(most);
   let size = 0;
   let passed = 0;
-  // The root is the one to give way first.
+  // The root is the first to be replaced.
   const before = (keyA: number, a: number, keyB: number, b: number) => keyA < keyB || (keyA === keyB && a > b);
   const sink = (at: number, index: number, value: number) => {
     for (;;) {

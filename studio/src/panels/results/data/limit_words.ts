@@ -1,4 +1,4 @@
-// What limits a block, and what a programmer can do about it.
+// Limit of a block, and advice for the programmer.
 
 import { limitColours } from "../../../core/colours";
 import { DWELL, limitOf, type NamedLimit } from "../../../run/limits";
@@ -10,6 +10,6 @@ export const limitHint = ({ kind }: NamedLimit): string => texts.panels.limitHin
 
 export const limitColour = ({ kind }: NamedLimit): string => limitColours[kind];
 
-/** Where axes have these letters. */
+/** Returns the limit, for axes with these letters. */
 export const limitOfBlock = (table: BlockTable, block: number, letters: readonly string[]): NamedLimit =>
   moveKinds[table.kind[block]] === "dwell" ? DWELL : limitOf(table.limit[block], table.axis[block], letters);

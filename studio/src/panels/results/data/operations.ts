@@ -1,15 +1,16 @@
-// Operations of a program: comments that stand alone before motion name what follows.
+// Operations of a program: comments on their own lines before motion name the blocks after them.
 
 import type { Run, Robot } from "../../../run/run";
 import type { BlockTable } from "./block_table";
 import { linesOf, type SourceLines } from "./source_lines";
 
 const MOST_COMMENTS = 3;
-// A line that begins a program or subprogram, and one that is a comment and nothing else; the first may name, too.
+// Line that begins a program or subprogram, and line with nothing but a comment; the first may also contain a
+// name.
 const PROGRAM = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
 const ALONE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
 
-/** For each line of a source the operation that it is part of, as a number of `names`; 0: that of its caller. */
+/** Returns the operation of each line of a source, as an index into `names`; 0: that of its caller. */
 function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
   const operation = new Uint32Array(lines.count + 1);
   let comments: string[] = [];
@@ -35,14 +36,14 @@ function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
   return operation;
 }
 
-/** What an operation takes, and its first block. */
+/** Time of an operation, and its first block. */
 export interface Operation {
   name: string;
   time_s: number;
   first: number;
 }
 
-/** In the order in which they begin; empty: the program names none. */
+/** Returns the operations in the order in which they begin; empty: the program names none. */
 export function timeByOperation(run: Run, robot: Robot, table: BlockTable, unnamed: string): Operation[] {
   const names = [unnamed];
   const byFile = robot.files.map((file) => operationsOf(linesOf(run.sources, file), names));

@@ -1,4 +1,4 @@
-// The lines of a source, found once.
+// Lines of a source, found once.
 
 export class SourceLines {
   private readonly starts: Uint32Array;
@@ -13,21 +13,21 @@ export class SourceLines {
     return this.starts.length;
   }
 
-  /** Counted from 1; without what ends it. */
+  /** Returns a line, counted from 1, without its line end. */
   line(number: number): string {
     if (number < 1 || number > this.count) return "";
     const end = number < this.count ? this.starts[number] - 1 : this.text.length;
     return this.text.slice(this.starts[number - 1], end).trimEnd();
   }
 
-  /** The first character of a line that is no blank; empty: there is none. */
+  /** Returns the first character of a line that is not a blank; empty: none. */
   firstOf(number: number): string {
     let at = this.starts[number - 1];
     while (" \t\r".includes(this.text[at] ?? "\n")) ++at;
     return this.text[at] === "\n" ? "" : (this.text[at] ?? "");
   }
 
-  /** 1 for each line (by its number) that has the words, in upper or lower case. */
+  /** Returns 1 for each line number with the words, in upper or lower case. */
   matching(words: string): Uint8Array {
     const found = new Uint8Array(this.count + 1);
     const text = this.text.toLowerCase();
@@ -46,7 +46,7 @@ export class SourceLines {
 
 const known = new WeakMap<Map<string, string>, Map<string, SourceLines>>();
 
-/** Of a run's sources the one of this name. */
+/** Returns the lines of the source with this name. */
 export function linesOf(sources: Map<string, string>, name: string): SourceLines {
   const of = known.get(sources) ?? new Map<string, SourceLines>();
   known.set(sources, of);

@@ -1,16 +1,16 @@
-// The time for which each tool is in the machine.
+// Time of each tool in the machine.
 
 import type { Report } from "../../../run/report";
 
 export interface ToolTime {
-  /** Empty: none yet. */
+  /** Tool name; empty: none yet. */
   name: string;
   time_s: number;
   /** When it first comes in. */
   start_s: number;
 }
 
-/** From changes of tools; where there are none, from what selects them. Empty: neither. */
+/** Returns times from tool changes; without changes, from tool selections. Empty: neither. */
 export function timeByTool(report: Report): ToolTime[] {
   const events = report.events ?? [];
   const changes = events.filter(({ kind }) => kind === "tool_change" || kind === "tool_number");

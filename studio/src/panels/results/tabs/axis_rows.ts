@@ -1,4 +1,4 @@
-// A table with a row for each axis; a click on one goes to where its figure comes from.
+// Table with a row for each axis; a click on one jumps to the source of its value.
 
 import { element } from "../../../core/dom";
 import { goTo } from "../../../core/go";
@@ -12,7 +12,7 @@ export interface AxisRow extends Placed {
   t_s: number;
   cells: (Node | string)[];
   title: string;
-  /** Whether it is past what the axis can do. */
+  /** True if it exceeds the capability of the axis. */
   isBeyond: boolean;
 }
 

@@ -1,4 +1,4 @@
-// The blocks of a run in a table: the slowest first, or by another column; those that match some words.
+// Blocks of a run in a table: the slowest first, or by another column; filtered by words.
 
 import { kindColours } from "../../../core/colours";
 import { Debounced } from "../../../core/debounced";
@@ -24,7 +24,7 @@ const TYPING_PAUSE_MS = 150;
 const columns = ["line", "duration", "share", "limit", "kind", "length", "speed", "feed"] as const;
 type Column = (typeof columns)[number];
 
-/** What a column is sorted by. */
+/** Returns the sort key of a column. */
 function keyOf(column: Column, table: BlockTable): (block: number) => number {
   switch (column) {
     case "line":
@@ -168,7 +168,7 @@ export class BlocksTab implements Tab {
     );
   }
 
-  /** Rows of the chosen block, or of all blocks of the chosen line. */
+  /** Highlights the rows of the chosen block, or of all blocks of the chosen line. */
   private showSelection(): void {
     const selection = this.store.get("selection");
     const robot = this.context?.robot;

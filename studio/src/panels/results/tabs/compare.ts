@@ -1,4 +1,4 @@
-// The run against the one before it.
+// Comparison of the run with the previous one.
 
 import { check, element } from "../../../core/dom";
 import { goTo, goToBlock } from "../../../core/go";

@@ -1,4 +1,4 @@
-// What the motors had to do: by axis, and the energy of each program.
+// Efforts of the motors by axis, and the energy of each program.
 
 import { element } from "../../../core/dom";
 import type { Store } from "../../../core/store";
@@ -45,7 +45,7 @@ function rowOf(of: AxisEffort): AxisRow {
   return { axis, t_s, file, line, cells, title, isBeyond };
 }
 
-/** How much of what the motor has is asked for. */
+/** Shows the used share of the motor's capability. */
 function gauge(share: number): HTMLElement {
   const text = `${percentText(share, 1)} %`;
   const bar = element("i", { style: `left:0;width:${Math.min(100 * share, 100)}%` });

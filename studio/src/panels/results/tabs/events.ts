@@ -1,4 +1,4 @@
-// All that happens in a run, in the order of time.
+// All events of a run, in the order of time.
 
 import { choice, element } from "../../../core/dom";
 import { eventText } from "../../../core/names";
@@ -10,7 +10,7 @@ import { itemList, markItem } from "../mark_list";
 
 const words = texts.panels;
 
-/** Events by their own kind, all others by what they are. */
+/** Returns the own kind of events, and the section name of all other marks. */
 const nameOf = (mark: Mark) => (mark.kind === "event" ? eventText(mark.text) : words.sections[mark.kind]);
 
 export function createEvents(store: Store): Tab {

@@ -1,4 +1,4 @@
-// A name with its value, of a list of such.
+// Name with its value, in a list of them.
 
 import { element } from "../../../core/dom";
 

@@ -1,4 +1,5 @@
-// Where axes and tip really were: how far each axis was behind, and where the tip was farthest from its way.
+// Actual positions of axes and TCP: the following error of each axis, and the largest distance of the TCP
+// from its path.
 
 import { element } from "../../../core/dom";
 import { goTo } from "../../../core/go";

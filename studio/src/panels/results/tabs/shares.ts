@@ -1,4 +1,4 @@
-// Where the time goes: by what limits the moves, by kind, tool and operation.
+// Shares of the time: by the limits of the moves, by kind, tool and operation.
 
 import { kindColours, orange } from "../../../core/colours";
 import { element } from "../../../core/dom";
@@ -61,7 +61,7 @@ export function createShares(store: Store, links: Links): Tab {
   };
 }
 
-/** As the report has it, which counts each piece of a move by itself; else by the longest piece of each block. */
+/** Uses the report, which counts each sub-segment separately; else the longest part of each block. */
 function byLimit({ robot, report }: Context, table: BlockTable, links: Links): Share[] {
   const times = new Map<string, { limit: NamedLimit; time_s: number }>();
   const add = (limit: NamedLimit, time_s: number) => {
@@ -100,7 +100,7 @@ function byKind(table: BlockTable, links: Links): Share[] {
     .sort((a, b) => b.time_s - a.time_s);
 }
 
-/** Nothing where there is nothing to tell apart. */
+/** Returns an empty list if nothing can be distinguished. */
 function bars(title: string, hint: string, shares: Share[], whole_s: number): HTMLElement[] {
   if (shares.length === 0) return [];
   const most_s = Math.max(...shares.map(({ time_s }) => time_s), 1e-12);

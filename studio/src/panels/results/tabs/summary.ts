@@ -1,4 +1,4 @@
-// How the run went: times, lengths, travel, and all that there is to see to.
+// Summary of the run: times, lengths, travel, and the points that need attention.
 
 import { kindColours } from "../../../core/colours";
 import { element } from "../../../core/dom";
@@ -41,7 +41,7 @@ export function createSummary(store: Store): Tab {
   }
 }
 
-// What makes a run useless comes before its figures, what is worth a look behind them.
+// Errors that make a run useless come before its values, warnings after them.
 const grave: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
 const light: readonly MarkKind[] = ["motor", "finding", "near"];
 
@@ -57,12 +57,12 @@ function sections({ run, index }: Context, kinds: readonly MarkKind[], store: St
     .map((kind) => section(words.sections[kind], kind, byKind.get(kind)!.map((mark) => markItem(mark, store))));
 }
 
-/** Diagnostics and warnings that no list of their own has. */
+/** Returns diagnostics and warnings that are in no other list. */
 function toldOf({ run, report }: Context, store: Store): Item[] {
   if (!report || run.failure) return [];
   const own = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
   for (const { code } of report.findings ?? []) own.push(code);
-  // Of motors those without a place are in no list.
+  // Motor diagnostics without a source location are in no list.
   const isListed = ({ code, line }: ReportDiagnostic) => own.includes(code) || (code === "motor-peak" && line !== null);
   const diagnostics = (report.diagnostics ?? []).filter((one) => !isListed(one));
   const known = new Set(diagnostics.map(({ text }) => text));
@@ -104,7 +104,7 @@ function figures(report: Report & { idle_s?: number }, store: Store): HTMLElemen
   return list;
 }
 
-/** Time at feed, in rapids and in dwells as parts of one bar. */
+/** Shows time at feed, in rapids and in dwells as parts of one bar. */
 function timeBar(time: NonNullable<Report["time"]>, whole_s: number): HTMLElement {
   const parts = [
     { name: words.timeOf.feed, time_s: time.feed_s, kind: "feed" },

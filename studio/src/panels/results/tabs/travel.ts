@@ -1,4 +1,4 @@
-// How far each axis went, and how far it can go.
+// Travel of each axis, and its limits.
 
 import { element } from "../../../core/dom";
 import type { Report } from "../../../run/report";
@@ -35,7 +35,7 @@ function rowOf(axis: Axis, { min, max, limit_min, limit_max }: Bounds[string], t
   );
 }
 
-/** Where the way lies between the limits; where there are none, in words. */
+/** Shows the travel between the limits; without limits, in words. */
 function gauge(min: number, max: number, from: number | null, to: number | null, limits: string): HTMLElement {
   if (from === null || to === null || !(to > from)) return element("span", { class: "note" }, limits);
   const share = (value: number) => Math.min(Math.max((100 * (value - from)) / (to - from), 0), 100);

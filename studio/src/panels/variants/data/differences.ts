@@ -1,4 +1,4 @@
-// What two runs differ in: as a whole, and block by block.
+// Differences of two runs: in total, and block by block.
 
 import type { Robot, Run } from "../../../run/run";
 import { blockTableOf, type BlockTable } from "../../results/data/block_table";
@@ -10,31 +10,31 @@ import type { From } from "./variants_file";
 
 export type RowKind = "both" | "changed" | "onlyA" | "onlyB";
 
-/** A block that takes another time in one run than in the other. */
+/** Block with different times in the two runs. */
 export interface Row {
   kind: RowKind;
-  /** Where it stands in a; of one that b alone has, there. */
+  /** Position in a; in b for a block that only b has. */
   file: string;
   line: number;
   text: string;
-  /** At which pass over the line, from 1, and how many there are. */
+  /** Number of the pass over the line, from 1, and the number of passes. */
   pass: number;
   passes: number;
-  /** By number in each run; -1: it has none. */
+  /** Block number in each run; -1: none. */
   blocks: [number, number];
   times_s: [number, number];
 }
 
-/** Whether a run came to its end, so that its time is that of the program. */
+/** True if a run came to its end, so that its time is that of the program. */
 export const isWhole = ({ report, failure }: Run): boolean =>
   failure === null && (report?.status === "completed" || report?.status === "violations");
 
-/** The block that a place means in a run; -1: the run never comes there. */
+/** Returns the block of a position in a run; -1: the run never reaches it. */
 export function blockOf({ files, blocks }: Robot, { file, line, pass }: From): number {
   return blocks.ofLine(files.indexOf(file), line)[pass - 1] ?? -1;
 }
 
-/** Where a run's times count from; -1: it never comes there. */
+/** Returns the block at which the times of a run start; -1: the run never reaches it. */
 function beginOf(from: From | null, own: Robot, other: Robot, matched: Int32Array): number {
   if (!from) return 0;
   const block = blockOf(own, from);
@@ -46,13 +46,15 @@ function beginOf(from: From | null, own: Robot, other: Robot, matched: Int32Arra
 export class Differences {
   readonly matching: BlockMatching;
   private readonly tables: [BlockTable, BlockTable];
-  /** The first block of each that counts; -1: it never comes to the place that times count from. */
+  /** First counted block of each run; -1: it never reaches the start of the count. */
   readonly begins: [number, number];
   /** When that is, s. */
   readonly starts_s: [number, number];
-  /** From there to the end of each run, s. */
+  /** Times from there to the end of each run, s. */
   readonly totals_s: [number, number];
-  /** How much of the difference is in blocks that one of the runs, or both, have; the rest is between blocks. */
+  /**
+   * Part of the difference in blocks that one of the runs, or both, have; the remainder is between blocks.
+   */
   readonly inBlocks_s: number;
   private readonly ofA: Int32Array;
   private readonly ofB: Int32Array;
@@ -73,17 +75,17 @@ export class Differences {
     this.inBlocks_s = this.ofA.reduce((sum, _, i) => sum + this.difference_s(i), 0);
   }
 
-  /** Whether both runs come to where times count from. */
+  /** True if both runs reach the start of the count. */
   get isReached(): boolean {
     return this.begins[0] >= 0 && this.begins[1] >= 0;
   }
 
-  /** b against a; below 0: b is faster. */
+  /** Difference of b from a; below 0: b is faster. */
   get total_s(): number {
     return this.totals_s[1] - this.totals_s[0];
   }
 
-  /** All blocks that count, those that belong together as one. */
+  /** Returns all counted blocks, with matching blocks as one pair. */
   private pairs(): [Int32Array, Int32Array] {
     if (!this.isReached) return [new Int32Array(0), new Int32Array(0)];
     const [beginA, beginB] = this.begins;
@@ -103,7 +105,7 @@ export class Differences {
     return this.time_s(1, this.ofB[pair]) - this.time_s(0, this.ofA[pair]);
   }
 
-  /** Those that differ and that `words` let through, the greatest difference first; `most` of them. */
+  /** Returns the rows that differ and match `words`, the largest difference first; at most `most`. */
   rows(most: number, words = ""): { rows: Row[]; count: number } {
     const lets = this.filter(words);
     const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= SAME_S && lets(pair);
@@ -111,7 +113,10 @@ export class Differences {
     return { rows: Array.from(indices, (pair) => this.row(pair)), count: passed };
   }
 
-  /** The few blocks that make the most of the difference: those that go the way that the whole goes. */
+  /**
+   * Returns the few blocks with the largest part of the difference: those that change in the same direction
+   * as the total.
+   */
   foremost(most: number): Row[] {
     const way = Math.sign(this.total_s);
     const share_s = (pair: number) => way * this.difference_s(pair);
@@ -119,7 +124,7 @@ export class Differences {
     return Array.from(indices, (pair) => this.row(pair));
   }
 
-  /** "230": that line; "200-260": lines; other words: a part of the line's text. */
+  /** "230": that line; "200-260": lines; other words: part of the line's text. */
   private filter(words: string): (pair: number) => boolean {
     const wanted = words.trim().toLowerCase();
     if (wanted === "") return () => true;
@@ -133,7 +138,7 @@ export class Differences {
     };
   }
 
-  /** The run in which a pair has its line: a, where that has it. */
+  /** Returns the run that has the line of a pair: a, if it has it. */
   private standing(pair: number): [side: 0 | 1, block: number] {
     return this.ofA[pair] >= 0 ? [0, this.ofA[pair]] : [1, this.ofB[pair]];
   }

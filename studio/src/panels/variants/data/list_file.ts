@@ -1,4 +1,4 @@
-// The file of variants that is worked on: what it has, and its changes, which undo takes back.
+// File of variants that is edited: its contents, and its changes, which undo reverts.
 
 import { namesOfKind, baseName } from "../../../core/kinds";
 import type { Session } from "../../../core/session";
@@ -16,7 +16,7 @@ export class ListFile {
     return namesOfKind("variants", this.session.documents);
   }
 
-  /** Whether none is chosen, or there is none of that name (any more): `name` is then what new ones will be called. */
+  /** True if none or a missing one (any more) is chosen: `name` is then the name for new variants. */
   get isNew(): boolean {
     return !this.session.documents.exists(this.store.get("variantsFile"));
   }
@@ -41,7 +41,7 @@ export class ListFile {
     return this.isNew ? { variants: [], fault: "" } : readVariants(this.session.documents.text(this.name));
   }
 
-  /** Nothing where the file cannot be read: what is wrong there would be lost. */
+  /** Makes a change. Does nothing if the file cannot be read, because its contents would be lost. */
   change(label: string, change: (variants: readonly Variant[]) => Variant[]): void {
     const { variants } = this.read();
     if (!variants) return;
@@ -50,7 +50,7 @@ export class ListFile {
     this.store.set("variantsFile", name);
   }
 
-  /** A name that no variant has yet. */
+  /** Returns a name that no variant has yet. */
   free(name: string): string {
     return freeName(name, (this.read().variants ?? []).map((each) => each.name));
   }

@@ -1,5 +1,5 @@
-// Which block of one run is which of another: that of the same line, at the same pass over it. Where texts differ, lines
-// are those that stand in both, or that have been changed in their places.
+// Matches the blocks of two runs: same line, same pass over it. If texts differ, lines match if they occur in
+// both, or if they were changed in place.
 
 import type { Robot, Run } from "../../../run/run";
 import { blockTableOf } from "../../results/data/block_table";
@@ -20,20 +20,23 @@ export interface FilePair {
 }
 
 export interface BlockMatching {
-  /** For each block of one run that of the other; -1: that has none. */
+  /** For each block of one run the block of the other; -1: none. */
   ofA: Int32Array;
   ofB: Int32Array;
-  /** For each block of b at which pass over its line it is, from 0; and of a. */
+  /** Pass over its line for each block, from 0, in a and in b. */
   passA: Uint32Array;
   passB: Uint32Array;
-  /** 1 where a block of b comes from a line that reads otherwise in a. */
+  /** 1 if a block of b comes from a line with another text in a. */
   changed: Uint8Array;
-  /** Pairs whose texts differ; those where a text is not in the page, so that lines count by their numbers. */
+  /**
+   * Pairs with different texts; and pairs with a text that is not in the page, so that lines are matched by
+   * number.
+   */
   otherTexts: FilePair[];
   unread: FilePair[];
 }
 
-/** At which pass over its line each block is, from 0. */
+/** Returns the pass over its line for each block, from 0. */
 function passesOf(robot: Robot): Uint32Array {
   const { count, file, line } = blockTableOf(robot);
   const last = robot.files.map(() => 0);
@@ -42,9 +45,9 @@ function passesOf(robot: Robot): Uint32Array {
   return Uint32Array.from({ length: count }, (_, block) => counts[file[block]][line[block]]++);
 }
 
-/** How lines of a file of b are those of a: by number, or by text. */
+/** Match between the lines of a file of b and those of a: by number, or by text. */
 interface OfFile {
-  /** -1: there is none in a. */
+  /** -1: no such file in a. */
   file: number;
   /** Null: by number. */
   lines: Matching | null;

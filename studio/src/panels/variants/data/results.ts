@@ -1,11 +1,11 @@
-// What came of variants: their runs by set-up, as long as they are to be had, and what holds of each by now.
+// Results of variants: their runs by setup, as long as they are available, and the current status of each.
 
 import { MOST_BLOCKS, type Session } from "../../../core/session";
 import type { Setup } from "../../../core/setup";
 import type { Run } from "../../../run/run";
 import { isWhole } from "./differences";
 
-/** Only a run that is "done" or "stopped" is of the documents as they are now. */
+/** Status of a run; only "done" or "stopped" means that it is of the current documents. */
 export type Standing =
   | { is: "none" | "dropped"; run: null }
   | { is: "earlier"; run: Run; files: string[] }
@@ -17,23 +17,23 @@ const keyOf = (setup: Readonly<Setup>): string => JSON.stringify(Object.entries(
 const blocksOf = (run: Run): number => run.robots.reduce((sum, { segments }) => sum + segments.count, 0);
 
 export class Results {
-  /** The run that was made last is the last one. */
+  /** Runs in order; the latest one is the last. */
   private readonly runs = new Map<string, Run>();
   private readonly dropped = new Set<string>();
 
   constructor(
     private readonly session: Pick<Session, "origin" | "changedSince">,
-    /** Runs go, the oldest first, when all together have more segments than this. */
+    /** Limit on the segments of all runs; beyond it runs are dropped, the oldest first. */
     private readonly mostBlocks = MOST_BLOCKS,
   ) {}
 
-  /** Keeps a run for variants of its set-up. */
+  /** Keeps a run for variants with its setup. */
   take(run: Run): void {
     const origin = this.session.origin(run);
     if (!origin) return;
     const key = keyOf(origin.setup);
     this.runs.delete(key);
-    // Of a run that is too long for the page there are no blocks to compare.
+    // A run that is too long for the page has no blocks to compare.
     if (run.isLong) {
       this.dropped.add(key);
       return;
@@ -64,6 +64,6 @@ export class Results {
   }
 }
 
-/** Whether its figures are of what is now. */
+/** True if its results are current. */
 export const isFresh = (standing: Standing): standing is { is: "stopped" | "done"; run: Run } =>
   standing.is === "done" || standing.is === "stopped";

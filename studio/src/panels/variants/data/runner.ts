@@ -1,4 +1,4 @@
-// Runs variants one behind the other, until one of the page's own runs, or a person, ends it.
+// Runs variants one after another, until a run of the page's own, or the user, ends it.
 
 import type { Session } from "../../../core/session";
 import type { Running } from "../../../core/store";
@@ -10,7 +10,7 @@ export interface UnderWay extends Running {
 }
 
 export class Runner {
-  /** Null: none runs. */
+  /** Null: no variant runs. */
   underWay: UnderWay | null = null;
   private turn = 0;
 

@@ -1,11 +1,11 @@
-// A file of variants: set-ups by name, each with what differs from a set-up of nothing.
+// File of variants: setups by name, each with its differences from an empty setup.
 
 import { MOST_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../../../core/setup";
 import { texts } from "../../../texts";
 
 const words = texts.variants.file;
 
-/** A block of a run: that of a line, at the so-manyth pass over it, from 1. */
+/** Block of a run: that of a line, at the given pass over it, from 1. */
 export interface From {
   file: string;
   line: number;
@@ -15,11 +15,11 @@ export interface From {
 export interface Variant {
   name: string;
   setup: Setup;
-  /** Where its times count from; null: from the start. */
+  /** Start of its times; null: the start of the program. */
   from: From | null;
 }
 
-/** What stands in a file, or a sentence on why that cannot be told. */
+/** Contents of a file, or a message why it cannot be read. */
 export type ReadVariants = { variants: Variant[]; fault: "" } | { variants: null; fault: string };
 
 class Fault extends Error {}
@@ -82,7 +82,7 @@ export function readVariants(text: string): ReadVariants {
   }
 }
 
-/** With what differs from a set-up of nothing. */
+/** Writes the differences from an empty setup. */
 export function writeVariants(variants: readonly Variant[]): string {
   const first = emptySetup() as unknown as Table;
   const tables = variants.map(({ name, setup, from }) => ({
@@ -93,7 +93,7 @@ export function writeVariants(variants: readonly Variant[]): string {
   return `${JSON.stringify({ variants: tables }, null, 2)}\n`;
 }
 
-/** "a name", or "a name 2" where that is taken. */
+/** Returns "a name", or "a name 2" if that is taken. */
 export function freeName(name: string, taken: readonly string[]): string {
   let free = name;
   for (let i = 2; taken.includes(free); ++i) free = `${name} ${i}`;
