@@ -15,15 +15,15 @@ struct PathPoint {
     PathStyle style;
 };
 
-/// Takes a path point by point and keeps a polyline of few points that stays near it. Points are left out as
-/// long as those in between are within a tolerance of the straight line (Reumann and Witkam); whenever the
+/// Reduction of a path, point by point, to a polyline of few points that stays near it. Points are omitted as
+/// long as those in between are within a tolerance of the straight line (Reumann and Witkam). Each time the
 /// polyline grows too long the tolerance doubles.
 class PathThinner {
   public:
     static constexpr std::size_t kMaxPoints = 20000;
 
     void add(const Eigen::Vector2d& at_mm, PathStyle style);
-    /// The polyline up to the last point added.
+    /// Returns the polyline up to the last point added.
     std::vector<PathPoint> points() const;
 
   private:

@@ -7,7 +7,7 @@ namespace gsim::simulation {
 
 namespace {
 
-// Dark enough on white, and told apart by most eyes (Okabe, Ito: Color Universal Design, 2008).
+// Dark enough on white, and distinguishable for most people (Okabe, Ito: Color Universal Design, 2008).
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
 
 }  // namespace

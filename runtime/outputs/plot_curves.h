@@ -9,18 +9,18 @@
 
 namespace gsim::simulation {
 
-/// Whether the machine has axes of a kind.
+/// Returns true if the machine has axes of a kind.
 bool has_axes(const PlotData& data, machine::AxisKind kind);
 
-/// A panel with a curve for each of several axes over time.
+/// Panel with a curve for each of several axes over time.
 class AxisCurves {
   public:
     explicit AxisCurves(GnuplotScript& script) : script_(script) {}
 
-    /// `name`: of the data, such as "effort_X". `colour`: by the number of the axis.
+    /// Adds a curve. `name`: of the data, such as "effort_X". `colour`: by the number of the axis.
     void add(std::string_view name, const std::vector<TimePoint>& points, std::size_t colour,
              std::string_view title);
-    /// Draws all that were added.
+    /// Draws all curves that were added.
     void draw(std::string_view label);
 
   private:

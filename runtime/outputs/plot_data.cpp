@@ -177,7 +177,7 @@ void PlotData::add_path(const Segment& segment, PathStyle style) {
     }
 }
 
-// Ramps bend the way, and it has a corner where a joint arrives.
+// Ramps curve the path, and it has a corner at the arrival of a joint.
 void PlotData::add_path_of_joints(const Segment& segment, PathStyle style) {
     double from_s = 0;
     for (const double to_s : motion::apart_instants_s(segment)) {
@@ -195,8 +195,8 @@ void PlotData::add_speed(const Segment& segment, PathStyle style) {
     }
 }
 
-// The acceleration is a straight line in each piece of the law, and jumps between them. Points in between
-// keep a slot that holds a jump from hiding what comes behind it.
+// The acceleration is a straight line in each part of the law, and jumps between them. Points in between keep
+// a slot with a jump from hiding later values.
 void PlotData::add_acceleration(const Segment& segment, PathStyle style) {
     if (segment.beside || segment.joints_go_apart()) return add_acceleration_of_joints(segment, style);
     const double length = segment.lead.length();

@@ -16,7 +16,7 @@
 
 namespace gsim::simulation {
 
-/// What is marked on the path.
+/// Kind of mark on the path.
 enum class MarkKind : std::uint8_t { pierce, alarm, collision };
 
 struct PlotMark {
@@ -24,20 +24,22 @@ struct PlotMark {
     MarkKind kind;
 };
 
-/// Gathers what a Picture shows, in bounded memory: the path seen from above, or from a side, that is two of
-/// the machine's X, Y and Z; and the tool's speed, acceleration along its path and programmed feed over time.
+/// Collector of the data of a Picture, in bounded memory: the path seen from above, or from a side, that is
+/// two of the machine's X, Y and Z; and the tool's speed, acceleration along its path and programmed feed
+/// over time.
 class PlotData : public RunOutput {
   public:
-    static constexpr std::size_t kMostPierces = 10'000;  ///< That are marked; those behind them are not.
+    static constexpr std::size_t kMostPierces = 10'000;  ///< Max number of marks; later ones are omitted.
 
-    /// The axes across and upwards: X Y, X Z and Y Z of the planes xy, zx and yz; in xy a machine's first two
-    /// axes where it has no such letters. What the plane lacks of the machine is an error, lacks_axes().
+    /// Selects the axes across and upwards: X Y, X Z and Y Z for the planes xy, zx and yz; for xy a machine's
+    /// first two axes if it has no such letters. An axis of the plane that the machine lacks is an error,
+    /// lacks_axes().
     explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
-    /// Before the run: the picture shows what the motors bring up, too. `dynamics` must outlive this.
+    /// Adds, before the run, the efforts of the motors to the picture. `dynamics` must outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics);
-    /// Before the run: it shows following errors, too.
+    /// Adds, before the run, following errors.
     void add_following(const FollowingSetup& setup);
-    /// The sentence that the machine has not the axes of a side view; nothing where it has.
+    /// Returns a message if the machine lacks the axes of a side view; nullopt if it has them.
     static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
 
     using RunOutput::take;
@@ -45,7 +47,8 @@ class PlotData : public RunOutput {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
-    /// Where bodies of the cell touch, and behind all else where an alarm ends the run.
+    /// Marks a contact of bodies of the cell and, after all else, the position at which an alarm ends the
+    /// run.
     void mark_collision(const rrs::JointPos& joints);
     void mark_alarm();
 
@@ -53,27 +56,27 @@ class PlotData : public RunOutput {
     std::vector<PathPoint> path() const { return path_.points(); }
     std::vector<TimePoint> speed() const { return speed_.points(); }
     std::vector<TimePoint> acceleration() const { return acceleration_.points(); }
-    /// At the ends of moves for which a feed in mm/min is programmed, in mm/s.
+    /// Returns the feed in mm/s at the ends of moves for which a feed in mm/min is programmed.
     std::vector<TimePoint> feed() const { return feed_.points(); }
-    /// What the motor of an axis brings up, N or Nm; none where no masses are known.
+    /// Returns the effort of an axis motor, N or Nm; empty if no masses are known.
     std::vector<TimePoint> efforts(std::size_t axis) const {
         return efforts_.empty() ? std::vector<TimePoint>() : efforts_[axis].points();
     }
     bool has_efforts() const { return !efforts_.empty(); }
-    /// How far an axis is behind its set points, mm or deg.
+    /// Returns the following error of an axis, mm or deg.
     std::vector<TimePoint> following(std::size_t axis) const { return following_[axis].points(); }
     bool has_following() const { return !following_.empty(); }
-    /// How far the tip is from the way of its set points, mm; where that is known.
+    /// Returns the distance of the TCP from the path of its set points, mm, if it is known.
     std::vector<TimePoint> contour() const { return contour_.points(); }
     const std::vector<machine::Axis>& axes() const { return machine_.axes; }
-    /// The machine's limit of acceleration along the path, mm/s2; infinite where it has none.
+    /// Returns the machine's limit of acceleration along the path, mm/s2; infinite if it has none.
     double max_acceleration_mm_s2() const { return machine_.path.max_acceleration_mm_s2; }
-    /// What the machine works with: "jet".
+    /// Returns the process of the machine: "jet".
     std::string process() const {
         return std::string(
             machine::name(machine_.process ? machine_.process->kind : machine::ProcessKind::jet));
     }
-    /// Labels of the two path axes, such as "X (mm)".
+    /// Returns the labels of the two path axes, such as "X (mm)".
     const std::array<std::string, 2>& labels() const { return labels_; }
 
   private:

@@ -7,9 +7,10 @@
 
 namespace gsim::simulation {
 
-/// How many panels show forces and torques over time: one for each that the machine's axes have, or none.
+/// Returns the number of panels for forces and torques over time: one for each that the machine's axes have,
+/// or none.
 std::size_t effort_panels(const PlotData& data);
-/// One of them, by its number: forces come first.
+/// Adds one of them, by its number: forces come first.
 void add_effort_panel(GnuplotScript& script, const PlotData& data, std::size_t panel);
 
 }  // namespace gsim::simulation

@@ -7,10 +7,10 @@
 
 namespace gsim::simulation {
 
-/// How many panels show following errors over time: one for mm, in which the contour error is, too, and one
-/// for deg where the machine has rotary axes; or none.
+/// Returns the number of panels for following errors over time: one for mm, which has the contour error, too,
+/// and one for deg if the machine has rotary axes; or none.
 std::size_t following_panels(const PlotData& data);
-/// One of them, by its number: mm come first.
+/// Adds one of them, by its number: mm come first.
 void add_following_panel(GnuplotScript& script, const PlotData& data, std::size_t panel);
 
 }  // namespace gsim::simulation

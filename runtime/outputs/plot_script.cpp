@@ -53,7 +53,7 @@ Extents extents(const std::vector<PathPoint>& path) {
     return {extents.x.widened(border), extents.y.widened(border)};
 }
 
-// A string of gnuplot in single quotes, in which nothing but the quote is special.
+// Returns a gnuplot string in single quotes, in which only the quote is special.
 std::string quoted_text(std::string_view text) {
     std::string out = "'";
     for (const char c : text.substr(0, kLongestTitle)) {
@@ -63,7 +63,7 @@ std::string quoted_text(std::string_view text) {
     return out + (text.size() > kLongestTitle ? "...'" : "'");
 }
 
-// Writes the polylines of one style and says whether there are any.
+// Writes the polylines of one style; returns true if any exist.
 bool add_path_data(GnuplotScript& script, std::string_view name, const std::vector<PathPoint>& path,
                    PathStyle style) {
     bool any = false;
@@ -81,7 +81,7 @@ bool add_path_data(GnuplotScript& script, std::string_view name, const std::vect
     return any;
 }
 
-// The same of values over time.
+// Writes the same for values over time.
 bool add_time_data(GnuplotScript& script, std::string_view name, const std::vector<TimePoint>& points,
                    PathStyle style) {
     bool any = false;
@@ -109,8 +109,8 @@ bool add_mark_data(GnuplotScript& script, std::string_view name, const std::vect
     return any;
 }
 
-// Each value holds until the next one; where they change nothing is drawn from one to the other, so that
-// feeds which change often do not fill the picture.
+// Holds each value until the next one. No line is drawn at a change, so that frequent changes of the feed do
+// not fill the picture.
 bool add_steps_data(GnuplotScript& script, std::string_view name, const std::vector<TimePoint>& points) {
     script.begin_data(name);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -186,8 +186,8 @@ PlotRange values(const std::vector<TimePoint>& points, bool of_rapids) {
     return range;
 }
 
-// The values of a panel over time. Where there are rapids and other moves each have a scale, on the right and
-// on the left: rapids would press all that cuts flat.
+// Values of a panel over time. If it has rapids and other moves each have a scale, on the right and on the
+// left: rapids would press all cutting values flat.
 struct TimeScales {
     explicit TimeScales(const std::vector<TimePoint>& points)
         : cutting(values(points, false)),
@@ -199,11 +199,11 @@ struct TimeScales {
     bool two;
     double end_s;
 
-    /// What lies on the left.
+    /// Returns the range on the left.
     PlotRange& left() { return cutting.size() > 0 ? cutting : rapids; }
 };
 
-// Both scales have their zero at one height.
+// Sets the zero of both scales to one height.
 void set_time_axes(GnuplotScript& script, TimeScales& scales, std::string_view what, std::string_view unit) {
     PlotRange left = scales.left();
     if (scales.two && scales.rapids.min < 0) left.include(-left.max);
@@ -283,7 +283,7 @@ void add_acceleration_panel(GnuplotScript& script, const PlotData& data) {
     add_plot_command(script, curves);
 }
 
-// The height of the path's axes where they fill the width of the picture.
+// Returns the height of the path's axes if they fill the width of the picture.
 double path_height_px(const Extents& extents) {
     const double wanted_px = (kWidth_px - kMargin_px) * extents.y.size() / extents.x.size();
     return std::clamp(wanted_px, kMinPath_px, kMaxPath_px);

@@ -9,7 +9,7 @@ namespace gsim::simulation {
 
 enum class PictureFormat { svg, png };
 
-/// The gnuplot script, data included, that draws a Picture to standard output.
+/// Returns the gnuplot script, data included, that draws a Picture to standard output.
 std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title);
 
 }  // namespace gsim::simulation

@@ -7,7 +7,7 @@ namespace gsim::simulation {
 
 namespace {
 
-// Instants closer than this show as equal; the later one, the start of the next segment, is told.
+// Difference below which instants show as equal; the later one, the start of the next segment, is reported.
 constexpr double kSameInstant_s = 0.5e-9;
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace gsim::simulation {
 
-/// Looks at a run at each multiple of a step, computed as k step so that no error adds up, and at its last
+/// Sampling of a run at each multiple of a step, computed as k step so that no error adds up, and at its last
 /// instant.
 class Sampler : public RunOutput {
   public:
     static constexpr double kMinStep_s = 1e-6;
 
-    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. Past `max_time_s`, where
-    /// a run ends, there is the last instant alone: a single move may take years.
+    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. Past `max_time_s`, at
+    /// which a run ends, only the last instant follows: a single move may take years.
     Sampler(double step_s, double max_time_s);
 
     using RunOutput::take;
@@ -22,13 +22,13 @@ class Sampler : public RunOutput {
     void end(double end_s) override;
 
   protected:
-    /// Of the instant that is looked at: the segment, and the time since its start. Null between segments and
-    /// at the end, where the machine rests.
+    /// Returns the segment of the current instant; segment_time_s() returns the time since its start. Null
+    /// between segments and at the end, when the machine is at standstill.
     const motion::Segment* segment() const { return segment_; }
     double segment_time_s() const { return segment_time_s_; }
 
   private:
-    /// An instant; false: no more are wanted.
+    /// Processes an instant; returns false if no more are wanted.
     virtual bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) = 0;
     bool due(double before_s) const;
     double next_s() const { return static_cast<double>(next_) * step_s_; }

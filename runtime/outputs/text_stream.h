@@ -8,26 +8,26 @@
 
 namespace gsim::simulation {
 
-/// Buffered text on its way to the caller. What comes after a piece that could not be written is dropped.
+/// Buffered text for the caller. Text after a part that could not be written is dropped.
 class TextStream {
   public:
-    /// Takes a piece; false: it cannot be written.
+    /// Function that writes a part; false: it cannot be written.
     using Sink = std::function<bool(std::string_view)>;
 
     explicit TextStream(Sink sink) : sink_(std::move(sink)) {}
     TextStream(const TextStream&) = delete;
     TextStream& operator=(const TextStream&) = delete;
 
-    /// Where to append; call end_line() now and then.
+    /// Returns the buffer to append to; call end_line() now and then.
     fmt::memory_buffer& buffer() { return buffer_; }
     /// Appends a line feed and passes the buffer on when it is large enough.
     void end_line() {
         buffer_.push_back('\n');
         if (buffer_.size() >= kEnough) write();
     }
-    /// Whether a piece could not be written.
+    /// Returns true if a part could not be written.
     bool failed() const { return failed_; }
-    /// Passes on all that is left.
+    /// Passes on the remainder.
     void flush() { write(); }
 
   private:

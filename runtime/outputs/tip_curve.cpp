@@ -9,7 +9,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kSameTip_mm = 1e-9;
-constexpr double kTurnStep_rad = std::numbers::pi / 4;  // that turns are looked at by, at least
+constexpr double kTurnStep_rad = std::numbers::pi / 4;  // max step at which turns are checked
 constexpr int kLeastOfCurve = 8;
 
 }  // namespace

@@ -7,21 +7,21 @@
 
 namespace gsim::simulation {
 
-/// The most parts in which the way of a segment is looked at: 8,192 turns. Of more turns the way is drawn
-/// coarser, as chords over these parts.
+/// Max number of parts in which the path of a segment is checked: 8,192 turns. For more turns the path is
+/// drawn coarser, as chords over these parts.
 inline constexpr double kMostParts = 65'536;
 
-/// The parts in which the way of the tip is looked at, so that none turns by more than an eighth of a turn; a
-/// whole number, at most kMostParts.
+/// Returns the number of parts in which the path of the TCP is checked, so that none turns by more than an
+/// eighth of a turn; an integer, at most kMostParts.
 double least_parts(const motion::Segment& segment, const PartTip& tip);
 
-/// The distance of a point from the line between two others.
+/// Returns the distance of a point from the line between two others.
 double distance_from_line(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
                           const Eigen::Vector3d& to);
 
-/// Gives points of the tip's way on the part over a part of a segment, the one at `from_s` left out, such
-/// that lines between them stay within `tolerance_mm` of it. `add(point_mm, t_s)`, with times since the
-/// segment's start. Halves what is not straight, `halvings` times at most.
+/// Adds points of the TCP path on the part over a part of a segment, without the one at `from_s`. Lines
+/// between them stay within `tolerance_mm` of the path. Calls `add(point_mm, t_s)`, with times since the
+/// segment's start. Halves parts that are not straight, `halvings` times at most.
 template <typename Add>
 void add_tip_curve(const motion::Segment& segment, const PartTip& tip, double tolerance_mm, double from_s,
                    double to_s, const Add& add, int halvings) {
@@ -36,7 +36,7 @@ void add_tip_curve(const motion::Segment& segment, const PartTip& tip, double to
     add_tip_curve(segment, tip, tolerance_mm, middle_s, to_s, add, halvings - 1);
 }
 
-/// The same over the whole segment. `goes_on()`: false where no more points are wanted.
+/// Does the same over the complete segment. `goes_on()`: false if no more points are wanted.
 template <typename Add, typename GoesOn>
 void add_tip_way(const motion::Segment& segment, const PartTip& tip, double tolerance_mm, const Add& add,
                  const GoesOn& goes_on) {

@@ -83,7 +83,7 @@ void TrajectoryWriter::write_efforts(const rrs::JointPos& joints) {
     append_number(out, sample.powers_w.sum());
 }
 
-// What is between two segments, and the end, is a rest.
+// Counts an instant between two segments, and the end, as standstill.
 void TrajectoryWriter::write_following(double t_s) {
     if (segment() != nullptr) enter_segment(*segment());
     following_->go_to(t_s);

@@ -11,24 +11,25 @@
 
 namespace gsim::simulation {
 
-/// Writes samples of the trajectory as CSV (docs/report.md), one line for each.
+/// Writer of trajectory samples as CSV (docs/report.md), one line for each.
 class TrajectoryWriter : public Sampler {
   public:
-    /// As in Sampler. `out` and `machine` must outlive this. Behind `most_samples` it writes none but the
-    /// last instant.
+    /// Sets the step as in Sampler. `out` and `machine` must outlive this. After `most_samples` it writes
+    /// only the last instant.
     TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s, double max_time_s,
                      std::uint64_t most_samples = kMostSamples);
 
     static constexpr std::uint64_t kMostSamples = 100'000'000;  ///< Some 5 GB.
 
-    /// Before the run: each sample has what the motors bring up then, and their power. `dynamics` must
+    /// Adds, before the run, the efforts of the motors and their power to each sample. `dynamics` must
     /// outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics) { efforts_.emplace(dynamics); }
 
-    /// Before the run: each sample has how far axes and tip are from where they should be, and the real tip.
+    /// Adds, before the run, the deviation of axes and TCP from their set points and the real TCP to each
+    /// sample.
     void add_following(const FollowingSetup& setup) { following_.emplace(setup); }
 
-    /// Whether samples are missing, as there would be too many.
+    /// Returns true if samples are missing, because they would be too many.
     bool cut_short() const { return cut_short_; }
 
     using RunOutput::take;

@@ -26,7 +26,7 @@ constexpr std::array kZoneKeys{"name"sv, "shape"sv, "frame"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
 constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv, "klipper"sv};
 
-/// Names are parts of names of signals and of files.
+/// Restricts names, because they are parts of names of signals and of files.
 bool is_plain(std::string_view name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

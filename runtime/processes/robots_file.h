@@ -14,17 +14,17 @@
 
 namespace gsim::process {
 
-/// A robot as a file of robots has it.
+/// Robot as a file of robots defines it.
 struct RobotEntry {
     std::string name;
     std::filesystem::path machine;                 ///< Empty: the one that is built in.
     std::filesystem::path machine_data;            ///< Empty: none.
-    std::filesystem::path cell;                    ///< That it stands in; empty: none.
+    std::filesystem::path cell;                    ///< Cell of the robot; empty: none.
     std::string dialect;                           ///< Empty: that of the run.
-    rrs::CartPos base = rrs::CartPos::Identity();  ///< Of the machine's world in that of the file.
+    rrs::CartPos base = rrs::CartPos::Identity();  ///< Pose of the machine's world in that of the file.
 };
 
-/// The robots and conveyors of a run, in the order of the file.
+/// Robots and conveyors of a run, in the order of the file.
 struct RobotsFile {
     std::vector<RobotEntry> robots;
     std::vector<Conveyor> conveyors;
@@ -32,10 +32,10 @@ struct RobotsFile {
 };
 
 /// Reads the tables [[robot]], [[conveyor]] and [[zone]] (docs/processes.md), strictly; those of cells are
-/// passed over. The error is "file:line:column: sentence". Files that it names are looked for in its folder.
+/// skipped. The error is "file:line:column: message". Files that it names are searched in its folder.
 tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name);
 
-/// The same of a file on disk.
+/// Reads the same from a file on disk.
 tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
                                                   os::NamedBy named_by = os::NamedBy::a_file);
 

@@ -15,13 +15,13 @@ using ProcessId = std::size_t;
 
 enum class ProcessState : std::uint8_t { ready, waiting, done };
 
-/// How a process waits for a signal.
+/// Kind of wait of a process for a signal.
 enum class WaitKind : std::uint8_t {
     on,          ///< Until it is on.
     off,         ///< Until it is off.
     equals,      ///< Until it has a value.
     rises,       ///< Until it comes on.
-    falls,       ///< Until it goes off.
+    falls,       ///< Until it switches off.
     any_change,  ///< Until any signal changes.
     zone         ///< Until it has a shared zone.
 };
@@ -29,26 +29,26 @@ enum class WaitKind : std::uint8_t {
 struct Wait {
     WaitKind kind = WaitKind::any_change;
     std::string signal = {};               ///< Empty for any_change; of zone the zone's name.
-    Value value = false;                   ///< Of equals.
+    Value value = false;                   ///< For equals.
     std::optional<double> until_s = {};    ///< When it gives up.
-    std::optional<ProcessId> holder = {};  ///< Of zone: who has it.
+    std::optional<ProcessId> holder = {};  ///< For zone: process that has it.
 };
 
-/// An activity on the simulated clock.
+/// Activity on the simulated clock.
 struct Process {
     std::string name;
     bool background = false;  ///< The run does not wait for its end.
     double start_s = 0;
-    double time_s = 0;  ///< Where its own clock stands.
+    double time_s = 0;  ///< Time of its own clock.
     ProcessState state = ProcessState::ready;
     Wait wait = {};
     bool timed_out = false;        ///< The last wait was.
-    simulation::Place place = {};  ///< Where it waits, or stood last.
+    simulation::Place place = {};  ///< Location of its wait, or its last one.
 };
 
-/// Which process goes next: conservative simulation of discrete events. A process goes on only when none is
-/// behind it; of several at the same time the one added first does. A change of a signal wakes, at its time,
-/// those that wait for it.
+/// Order of the processes: conservative simulation of discrete events. A process continues only if no other
+/// one is at an earlier time; of several at the same time the one added first does. A change of a signal
+/// wakes, at its time, those that wait for it.
 class Schedule {
   public:
     ProcessId add(std::string name, bool background, double start_s, const simulation::Place& place);
@@ -57,33 +57,36 @@ class Schedule {
     const Process& process(ProcessId id) const { return processes_[id]; }
     std::size_t size() const { return processes_.size(); }
 
-    /// Whether the process, which is ready, may go on at once.
+    /// Returns true if the process, which is ready, may continue at once.
     bool goes_on(ProcessId id) const { return next() == id; }
-    /// The process to go on: nothing when all but background processes are done, or all of them wait for
-    /// what never comes. A wait that gives up is over then, and its process's clock stands at that time.
+    /// Returns the process to continue: nullopt if all but background processes are done, or all of them wait
+    /// for something that never comes. A wait that gives up is over then, and its process's clock is at that
+    /// time.
     std::optional<ProcessId> take_next();
-    /// Before that time the process does nothing unless another one wakes it; infinite where it is done.
+    /// Returns the time before which the process does nothing unless another one wakes it; infinity if it is
+    /// done.
     double next_act_s(ProcessId id) const;
-    /// True where a process that the run waits for has not come to its end.
+    /// Returns true if a process that the run waits for has not come to its end.
     bool unfinished() const;
-    /// The process waits from its time on; where the signal is so already, it need not.
+    /// Makes the process wait from its time on; it need not if the signal is already so.
     void wait(ProcessId id, Wait wait);
-    /// A signal has changed at `time_s` from `before`: wakes those that wait for it.
+    /// Reports that a signal has changed at `time_s` from `before`: wakes those that wait for it.
     void changed(const std::string& signal, const Value& before, const Value& after, double time_s);
-    /// The process, which waits, goes on at that time.
+    /// Continues the waiting process at that time.
     void wake(ProcessId id, double time_s);
     void finish(ProcessId id);
 
-    /// Processes that wait for each other's zones and will for ever, from this one on: in a ring, or up to a
-    /// zone of a process that has ended. None where somebody can let this one go on.
+    /// Returns processes that wait for each other's zones without end, from this one on: in a ring, or up to
+    /// a zone of a process that has ended. Empty if another process can release this one.
     std::vector<ProcessId> stuck_from(ProcessId id) const;
-    /// The first process that waits for a zone of this one.
+    /// Returns the first process that waits for a zone of this one.
     std::optional<ProcessId> waits_for_zone_of(ProcessId id) const;
-    /// Whether one of those that wait waits for a zone.
+    /// Returns true if one of the waiting processes waits for a zone.
     bool waits_for_zone() const;
-    /// What each process that is not done waits for, as a list within a sentence; places by `files`.
+    /// Returns what each process that is not done waits for, as a list within a message; locations by
+    /// `files`.
     std::string waits(const std::vector<std::string>& files) const;
-    /// The same of these alone.
+    /// Returns the same for these only.
     std::string waits(const std::vector<std::string>& files, std::span<const ProcessId> of) const;
 
   private:
@@ -94,7 +97,7 @@ class Schedule {
     std::deque<Process> processes_;
 };
 
-/// Whether a signal with this value ends the wait without any change.
+/// Returns true if a signal with this value ends the wait without any change.
 bool is_met(const Wait& wait, const Value& value);
 
 }  // namespace gsim::process

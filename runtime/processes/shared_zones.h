@@ -14,17 +14,17 @@
 
 namespace gsim::process {
 
-/// A part of the world of all robots in which one of them may be at a time.
+/// Part of the common world in which one robot may be at a time.
 struct SharedZone {
     std::string name;
     machine::ShapeForm form;  ///< No mesh.
     rrs::CartPos frame = rrs::CartPos::Identity();
 };
 
-/// Who has which shared zone, and who waits for it: in the order in which they asked.
+/// Owners of the shared zones, and the processes that wait for them: in the order of their requests.
 class SharedZones {
   public:
-    /// A report lists no more uses than this; what is past it is counted.
+    /// Max number of uses in a report; further ones are counted.
     static constexpr std::size_t kMostListed = 10'000;
 
     explicit SharedZones(const std::vector<SharedZone>& zones = {}) : zones_(zones.begin(), zones.end()) {}
@@ -35,10 +35,10 @@ class SharedZones {
     std::vector<std::string_view> names() const;
     const std::optional<ProcessId>& holder(std::size_t zone) const { return zones_[zone].holder; }
 
-    /// The process asks for the zone at its time; true where it has it at once. Else it waits in the schedule
-    /// until the zone is its own.
+    /// Requests the zone for the process at its time; returns true if it has it at once. Otherwise it waits
+    /// in the schedule until it has the zone.
     bool enter(Schedule& schedule, std::size_t zone, ProcessId process);
-    /// The process that has it lets it go at its time; the next one that has it then.
+    /// Releases the zone of its process at the time of that process; returns the next one that has it then.
     std::optional<ProcessId> leave(Schedule& schedule, std::size_t zone);
 
     const std::vector<simulation::ZoneUse>& uses() const { return uses_; }
@@ -47,14 +47,14 @@ class SharedZones {
   private:
     struct Waiting {
         ProcessId process;
-        std::optional<std::size_t> use;  ///< In uses_, where it is listed.
+        std::optional<std::size_t> use;  ///< Index in uses_, if it is listed.
     };
     struct Zone {
         explicit Zone(const SharedZone& of) : name(of.name) {}
 
         std::string name;
         std::optional<ProcessId> holder = {};
-        std::optional<std::size_t> use = {};  ///< Of the holder.
+        std::optional<std::size_t> use = {};  ///< Use by the holder.
         std::deque<Waiting> waiting = {};
     };
 

@@ -10,26 +10,26 @@
 
 namespace gsim::process {
 
-/// What a signal can be: a switch or a number.
+/// Value of a signal: a switch or a number.
 using Value = std::variant<bool, double>;
 
-/// Neither false nor 0.
+/// Returns true for neither false nor 0.
 bool is_on(const Value& value);
-/// Numbers and switches compare: true is 1, false is 0.
+/// Compares numbers and switches: true is 1, false is 0.
 bool same(const Value& a, const Value& b);
-/// As scripts write it.
+/// Returns the value as scripts write it.
 std::string text_of(const Value& value);
 
-/// The signals by which processes tell each other. One never set is false.
+/// Signals by which processes communicate. One that was never set is false.
 class SignalBoard {
   public:
-    /// A report lists no more changes than this; what is past it is counted.
+    /// Max number of changes in a report; further ones are counted.
     static constexpr std::size_t kMostListed = 10'000;
 
     Value get(std::string_view name) const;
-    /// Whether it has ever been set.
+    /// Returns true if it has ever been set.
     bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
-    /// True where the value is another one than before.
+    /// Sets a signal; returns true if the value differs from the one before.
     bool set(const std::string& name, const Value& value);
     /// Notes a change for the report.
     void note(simulation::SignalChange change);

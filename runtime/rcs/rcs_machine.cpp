@@ -56,7 +56,7 @@ rrs::JointKind kind(const gsim_rcs_joint& joint) {
     return joint.kind == GSIM_RCS_REVOLUTE ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
 }
 
-/// The joints in the order of their rows; nothing where the rows are not numbered from 0 up.
+/// Returns the joints in the order of their rows; nullopt if the rows are not numbered from 0 up.
 std::optional<std::vector<int>> joints_by_row(const gsim_rcs_machine& machine) {
     std::vector<int> joints(static_cast<std::size_t>(machine.joint_count), -1);
     for (int i = 0; i < machine.joint_count; ++i) {

@@ -10,7 +10,7 @@
 
 namespace gsim::rcs {
 
-/// What a controller module is told of a machine.
+/// Description of a machine for a controller module.
 class RcsMachine {
   public:
     /// `setup` must be valid.
@@ -18,7 +18,7 @@ class RcsMachine {
     RcsMachine(const RcsMachine&) = delete;
     RcsMachine& operator=(const RcsMachine&) = delete;
 
-    /// Holds as long as this object.
+    /// Returns the description, which is valid as long as this object.
     const gsim_rcs_machine& get() const { return machine_; }
 
   private:
@@ -33,7 +33,7 @@ class RcsMachine {
     gsim_rcs_machine machine_{};
 };
 
-/// The way back, for modules with our own planner. The error is a sentence.
+/// Converts it back, for modules with our own planner. The error is a message.
 tl::expected<motion::PlannerSetup, std::string> setup_of_rcs_machine(const gsim_rcs_machine& machine);
 
 }  // namespace gsim::rcs

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kLongest = 200;
 
-// What a probe has found is in the positions behind it; a tool table that is read again is as it was.
+// Results of a probe are in the positions after it; a tool table that is read again is as it was.
 constexpr std::array<std::string_view, 2> kNoActions = {"probe", "tool_table"};
 
-// Their detail is the word that switches the process here.
+// The detail of these events is the word that switches the process here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kOwnNames = {
     {{"jet_on", "waterjet_on"},
      {"jet_off", "waterjet_off"},
@@ -61,7 +61,7 @@ std::optional<std::string> action_name(const simulation::Event& event) {
     for (const auto& [kind, name] : kOwnNames) {
         if (event.kind == kind) return std::string(name);
     }
-    // The detail of an optional stop tells whether this run stopped, not what the program asks for.
+    // The detail of an optional stop says whether this run stopped, not what the program requests.
     if (event.detail.empty() || event.kind == "optional_stop") return plain_name(event.kind);
     return plain_name(fmt::format("{} {}", event.kind, event.detail));
 }

@@ -29,7 +29,7 @@ std::size_t hash_of(std::size_t hash, const SubPath& sub_path) {
     return mixed(mixed(hash, sub_path.path), static_cast<std::uint64_t>(sub_path.repeats));
 }
 
-// A run has none.
+// A run has no such point.
 std::size_t hash_of(std::size_t hash, const path::MachinePoint& point) {
     return mixed(hash, static_cast<std::uint64_t>(point.number));
 }
@@ -73,7 +73,7 @@ void PathBuilder::end_call() {
 }
 
 std::size_t PathBuilder::held_bytes() const {
-    // Vectors grow to twice what they held; rotary axes stand in a map of two, say.
+    // Vectors grow to twice their content; rotary axes are in a map of, say, two.
     constexpr std::size_t kBytesOfTarget = sizeof(Target) * 3 / 2 + std::size_t{2} * 64;
     return targets_ * kBytesOfTarget;
 }
@@ -87,7 +87,7 @@ void PathBuilder::add(Point point) {
     ++targets_;
 }
 
-// The path that such a call has left, or a new one.
+// Returns the path that such an earlier call has left, or a new one.
 std::size_t PathBuilder::path_of(Call call) {
     const std::size_t hash = hash_of(call.targets);
     const auto [first, last] = by_hash_.equal_range(hash);

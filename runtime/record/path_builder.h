@@ -11,7 +11,7 @@
 
 namespace gsim::record {
 
-/// Where the tool stands.
+/// Pose of the tool.
 struct Stand {
     path::Vector position_mm{};
     std::optional<path::Orientation> orientation;
@@ -19,41 +19,43 @@ struct Stand {
     bool operator==(const Stand&) const = default;
 };
 
-/// Puts points and calls, in the order of a run, together to a program of paths. A call that runs through the
-/// same targets as an earlier one of that name uses its path; other calls become paths of their own. Calls
-/// that are nested deeper than paths may be go into the path that calls them.
+/// Builder of a program of paths from points and calls, in the order of a run. A call with the same targets
+/// as an earlier one of that name uses its path; other calls become separate paths. Calls that are nested
+/// deeper than paths may be are written into the path that calls them.
 class PathBuilder {
   public:
     PathBuilder() : open_(1) {}
 
-    /// A call of a program of that name, which may be any, and its end. Calls without targets leave nothing.
+    /// Begins a call of a program of that name, which may be any; end_call() ends it. Calls without targets
+    /// leave no path.
     void begin_call(const std::string& name);
     void end_call();
 
-    /// Whether the path that targets now go to has none yet.
+    /// Returns true if the path that currently gets targets has none yet.
     bool at_beginning() const { return open_.back().targets.empty(); }
-    /// Whether any path has a target.
+    /// Returns true if any path has a target.
     bool has_targets() const { return targets_ > 0; }
     std::size_t target_count() const { return targets_; }
-    /// About the memory of all targets.
+    /// Returns the approximate memory of all targets.
     std::size_t held_bytes() const;
-    /// The last target, if it is a point.
+    /// Returns the last target, if it is a point.
     path::Point* last_point();
     void add(path::Point point);
-    /// The first motion of this path depends on where it starts: the path serves calls from there alone.
+    /// Records that the first motion of this path depends on its start: the path serves only calls from
+    /// there.
     void depends_on(Stand start) { open_.back().start = std::move(start); }
 
-    /// Ends the calls that are open and gives the program away. There must be a target.
+    /// Ends the open calls and returns the program, which must have a target.
     path::Program finish(const std::string& name);
 
   private:
-    /// A path whose call has not ended, or what distinguishes one that has.
+    /// Path with a call that has not ended, or the distinctive data of one that has.
     struct Call {
         std::string name;
         std::vector<path::Target> targets;
         std::optional<Stand> start;
     };
-    /// Of a path in program_: the name it was called by, and what it depends on.
+    /// Origin of a path in program_: the name it was called by, and its dependency.
     struct Origin {
         std::string name;
         std::optional<Stand> start;

@@ -26,7 +26,7 @@ constexpr double kSamePlace = 1e-9;  // mm or deg; as the Simulator has it
 constexpr std::array<double, 3> kQuarters = {0.25, 0.5, 0.75};
 constexpr int kMostHalvings = 12;  // of such a motion, or of a quarter turn
 constexpr std::size_t kMostTargets = 4'000'000;
-constexpr double kGreatestRate = 1e9;  // that paths take
+constexpr double kGreatestRate = 1e9;  // that paths accept
 
 std::optional<double> rate(double value) {
     if (!(value > 0)) return std::nullopt;
@@ -57,12 +57,12 @@ Point PathRecorder::point_at(const AxisVector& axes, MotionType motion) {
     return point;
 }
 
-// The first point of the program: the machine stands there, and nothing moves it.
+// Adds the first point of the program: the machine is already there, and no move leads to it.
 void PathRecorder::begin(const AxisVector& at) {
     if (!builder_.has_targets() && builder_.at_beginning()) builder_.add(point_at(at, MotionType::none));
 }
 
-// A move is told next.
+// Prepares for a move, which is reported next.
 void PathRecorder::moves(const AxisVector& from) {
     begin(from);
     tell_rest(from);
@@ -88,12 +88,12 @@ void PathRecorder::set_feed(Point& point, const Feed& feed, bool rotary_alone) {
     in_force_.feed_mm_rev = point.feed_mm_rev = per_rev;
 }
 
-// The motion that follows depends on where it starts.
+// Records that the motion that follows depends on its start.
 void PathRecorder::start_from(const AxisVector& from) {
     if (builder_.at_beginning()) builder_.depends_on({place_.position(from), place_.orientation(from)});
 }
 
-// A point where the program has come to, for what is done there.
+// Adds a point that the program has reached, for the actions there.
 void PathRecorder::hold(const AxisVector& at) {
     builder_.add(point_at(at, MotionType::none));
 }
@@ -139,7 +139,7 @@ void PathRecorder::line_or_lines(const AxisVector& from, const LineMove& move, b
     lines(way, 0, 1, move.feed, whole_s, 0);
 }
 
-// Looked at in its quarters.
+// Checks its quarters.
 bool PathRecorder::is_straight(const Way& way, double from, double to) const {
     const Vector3d first = place_.tip(way(from));
     const Vector3d last = place_.tip(way(to));
@@ -149,7 +149,7 @@ bool PathRecorder::is_straight(const Way& way, double from, double to) const {
     });
 }
 
-// Each line takes its share of the time: its length is not that of the axes' way, and its feed another one.
+// Gives each line its share of the time: its length is not that of the axes' path, and its feed another one.
 void PathRecorder::lines(const Way& way, double from, double to, const Feed& feed, double whole_s,
                          int halvings) {
     if (is_full()) return;
@@ -185,7 +185,7 @@ void PathRecorder::dwell(const AxisVector& at, double seconds) {
     time_has_passed_ = true;
 }
 
-// What follows begins at rest, which no dwell or switch says.
+// Records that the next motion begins at standstill, which no dwell or switch says.
 void PathRecorder::tell_rest(const AxisVector& at) {
     if (std::exchange(rests_, false)) act(at, "rest");
 }

@@ -17,9 +17,9 @@
 
 namespace gsim::record {
 
-/// Makes a path of what a program asks of a machine: loops are unrolled, called programs become sub-paths.
-/// Positions are those of the tip in the machine's work frame, without the program's own offsets, which are
-/// in them; rotary axes stand as they stand. docs/report.md tells what becomes of what.
+/// Recorder of a path from a program's requests to a machine: loops are unrolled, called programs become
+/// sub-paths. Positions are those of the TCP in the machine's work frame, and include the program's own
+/// offsets; rotary axes keep their values. docs/report.md lists what becomes of what.
 class PathRecorder final : public simulation::ProgramObserver {
   public:
     /// `machine` must outlive this.
@@ -46,23 +46,23 @@ class PathRecorder final : public simulation::ProgramObserver {
     void work_offset(const simulation::WorkOffset& offset) override;
     void tool_offset(const Eigen::Vector3d& offset_mm) override;
 
-    /// What the path does not show as it was, one sentence each.
+    /// Returns what the path does not show as it was, one message each.
     const std::set<std::string>& notes() const { return notes_; }
-    /// The path, once, behind the last move; `name` is the program's. The error is a sentence.
+    /// Returns the path, once, after the last move; `name` is the program's. The error is a message.
     tl::expected<path::Program, std::string> finish(const std::string& name);
 
   private:
-    /// Where the axes are after a share, 0 to 1, of a move.
+    /// Function that gives the axis values after a share, 0 to 1, of a move.
     using Way = std::function<simulation::AxisVector(double share)>;
-    /// What has been written in the path that is open, which is in force.
+    /// Active values that have been written in the open path.
     struct InForce {
         std::optional<double> feed_mm_min, feed_mm_rev, feed_deg_min;
         std::optional<path::Orientation> orientation;
         std::string work_offset;
     };
 
-    static constexpr double kDegPerMm = 1e-6;        ///< A tip that goes less than so much of a turn stands.
-    static constexpr double kTolerance_mm = 0.0005;  ///< Of lines in place of another motion of the tip.
+    static constexpr double kDegPerMm = 1e-6;  ///< A TCP that moves less than this share of a turn is still.
+    static constexpr double kTolerance_mm = 0.0005;  ///< For lines in place of another motion of the TCP.
 
     bool is_full();
     void begin(const simulation::AxisVector& at);

@@ -1,4 +1,4 @@
-// Arcs of the axes as arcs of the tool's tip.
+// Arcs of the axes as arcs of the TCP.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,7 +24,7 @@ using simulation::ViaMove;
 
 namespace {
 
-constexpr double kMostTurns = 900;   // of one arc; paths take 1000
+constexpr double kMostTurns = 900;   // of one arc; paths accept 1000
 constexpr double kMostPieces = 1e6;  // of one move
 constexpr int kSamples = 16;         // at which an arc with turning axes is looked at
 constexpr double kFullTurn_rad = 2 * std::numbers::pi;
@@ -69,8 +69,8 @@ PathRecorder::Way PathRecorder::way_of(const AxisVector& from, const ArcMove& mo
     };
 }
 
-// The move as arcs of the tip, if it is that. More than one where radii differ by more than an arc of a path
-// may have, or of very many turns.
+// Writes the move as arcs of the TCP, if it is that. More than one if radii differ by more than an arc of a
+// path may have, or for very many turns.
 bool PathRecorder::arcs(const AxisVector& from, const ArcMove& move, const Way& way) {
     if (!place_.has_xyz()) return false;
     const auto shifted = [&](const Vector3d& by) {
@@ -115,7 +115,7 @@ bool PathRecorder::arcs(const AxisVector& from, const ArcMove& move, const Way& 
     return true;
 }
 
-// Whether the tip goes that arc while axes turn.
+// Returns true if the TCP moves along that arc while axes turn.
 bool PathRecorder::is_on(const path::Vector& start_mm, const Point& arc, const Way& way, double from,
                          double to) const {
     const path::ArcShape shape = path::arc_shape(start_mm, arc).value();

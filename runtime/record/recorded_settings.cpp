@@ -1,4 +1,4 @@
-// What a program selects for what follows, as actions and offsets of the path.
+// Modal selections of a program, as actions and offsets of the path.
 
 #include <array>
 
@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "decele
 
 }  // namespace
 
-// What follows begins at rest, which a dwell or a switch says already.
+// Records that the next motion begins at standstill, which a dwell or a switch says already.
 void PathRecorder::rest(const AxisVector& at) {
     rests_ = rests_ || time_has_passed_;
     rest_at_ = at;

@@ -10,25 +10,25 @@
 
 namespace gsim::simulation {
 
-/// What the motor of an axis had to do: N of a linear axis, Nm of a rotary one, in the sense of its value.
+/// Effort of an axis motor: N for a linear axis, Nm for a rotary one, in the sense of its value.
 struct AxisEffort {
     char letter = 'X';
     bool rotary = false;
-    double peak = 0;  ///< The greatest, either way.
+    double peak = 0;  ///< Largest, in either direction.
     double peak_t_s = 0;
     Place peak_place = {};
-    double rms = 0;  ///< Root mean square over the whole run, rests among it.
+    double rms = 0;  ///< Root mean square over the full run, standstill included.
     double peak_power_w = 0;
     double in_j = 0;        ///< Work of the motor at the machine,
     double back_j = 0;      ///< and of the machine at the motor.
-    double friction_j = 0;  ///< Of it what friction of the axis took.
+    double friction_j = 0;  ///< Part of it that axis friction took.
     double impulse = 0;     ///< The greatest at a jump of speed, N s or Nm s.
     Place impulse_place = {};
     double motor_peak = std::numeric_limits<double>::infinity();
     double motor_continuous = std::numeric_limits<double>::infinity();
 };
 
-/// What the motors did while a program or subprogram ran, without those that it called.
+/// Work of the motors while a program or subprogram ran, without those that it called.
 struct ProgramEnergy {
     std::string program;  ///< "O2"; empty: the main program.
     double time_s = 0;
@@ -36,37 +36,38 @@ struct ProgramEnergy {
     double back_j = 0;
 };
 
-/// A motor is asked for more than it has.
+/// Effort that exceeds the limit of a motor.
 struct EffortExcess {
     double t_s = 0;
     Place place = {};
     char letter = 'X';
     bool rotary = false;
     double effort = 0;  ///< That the move needs, without its sense.
-    double limit = 0;   ///< Of the motor at that speed.
-    /// With this share of its accelerations the move would be within the limit; none: with no acceleration.
+    double limit = 0;   ///< Motor limit at that speed.
+    /// Share of its accelerations with which the move would be within the limit; nullopt: with no
+    /// acceleration.
     std::optional<double> acceleration_share = std::nullopt;
-    bool continuous = false;  ///< It is the root mean square of the run, and of no place.
+    bool continuous = false;  ///< It is the root mean square of the run, without a location.
 };
 
-/// Of forces and torques what a report lists of them, at most.
+/// Max number of forces and torques that a report lists.
 inline constexpr std::size_t kMostExcesses = 1000;
 
-/// What the motors of a run had to do.
+/// Efforts of the motors of a run.
 struct EffortReport {
     std::vector<AxisEffort> axes;
-    double in_j = 0;  ///< Of all axes: nothing is passed from one to another one.
+    double in_j = 0;  ///< Over all axes: no energy is passed from one to another.
     double back_j = 0;
     double friction_j = 0;
-    double peak_power_w = 0;  ///< Of all axes together.
+    double peak_power_w = 0;  ///< Sum over all axes.
     double peak_power_t_s = 0;
     Place peak_power_place = {};
-    /// What the same moves take with the accelerations of the axes, where the motors' peaks limit them.
+    /// Time of the same moves with the accelerations of the axes, if the motors' peaks limit them.
     std::optional<double> time_by_axes_s = std::nullopt;
-    std::uint64_t jumps = 0;              ///< Of speeds, for which no force is finite.
+    std::uint64_t jumps = 0;              ///< Jumps of speed, for which no force is finite.
     std::vector<ProgramEnergy> programs;  ///< In the order in which they moved first.
     std::vector<EffortExcess> excesses;   ///< By time, kMostExcesses at most.
-    std::uint64_t excess_count = 0;       ///< Of all.
+    std::uint64_t excess_count = 0;       ///< Total count.
 };
 
 /// "axis X needs 812 N of 600 N; 0.74 of its acceleration would do"

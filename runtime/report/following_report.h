@@ -7,37 +7,37 @@
 
 namespace gsim::simulation {
 
-/// How far an axis was behind its set points: mm of a linear axis, deg of a rotary one, set point less place.
+/// Following error of an axis: mm for a linear axis, deg for a rotary one, set point minus position.
 struct AxisFollowing {
     char letter = 'X';
     bool rotary = false;
-    double gain_1_s = 0;  ///< Of its position loop; infinite: it follows at once.
+    double gain_1_s = 0;  ///< Position loop gain; infinite: it follows at once.
     double behind_s = 0;  ///< By which it is late at a constant speed.
-    double peak = 0;      ///< The greatest, either way.
+    double peak = 0;      ///< Largest, in either direction.
     double peak_t_s = 0;
     Place peak_place = {};
-    double rms = 0;  ///< Root mean square over the whole run, rests among it.
+    double rms = 0;  ///< Root mean square over the full run, standstill included.
     double end = 0;  ///< At the end of the run.
 };
 
-/// The farthest that the tip really was from the way of its set points, on the part.
+/// Max distance of the real TCP from the path of its set points, on the part.
 struct ContourError {
     double error_mm = 0;
     double t_s = 0;
-    Place place = {};  ///< Of the move that was under way.
+    Place place = {};  ///< Location of the current move.
 };
 
-/// Where axes and tip of a run really were (docs/servo.md).
+/// Real positions of axes and TCP in a run (docs/servo.md).
 struct FollowingReport {
     std::vector<AxisFollowing> axes;
-    ContourError feed = {};   ///< While feed moves and dwells were under way,
+    ContourError feed = {};   ///< During feed moves and dwells,
     ContourError rapid = {};  ///< and rapid moves.
-    /// As `feed`, from the way that the program asks for; a controller module does not tell.
+    /// The same as `feed`, but from the programmed path; a controller module does not report it.
     std::optional<ContourError> program = ContourError{};
     double band_mm = 0;   ///< In which an axis is in position,
     double band_deg = 0;  ///< and a rotary one.
-    /// How long after the end of the run all axes are in their bands to stay; none: they are not within 20
-    /// time constants of the slowest.
+    /// Time after the end of the run at which all axes are in their bands to stay; nullopt: they are not
+    /// within 20 time constants of the slowest.
     std::optional<double> in_position_s = 0;
 };
 

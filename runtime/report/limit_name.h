@@ -7,7 +7,8 @@
 
 namespace gsim::simulation {
 
-/// What limited a move, for reports: "feed", "joint X speed", "rotary B acceleration", ... (docs/report.md).
+/// Returns what limited a move, for reports: "feed", "joint X speed", "rotary B acceleration", ...
+/// (docs/report.md).
 std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine);
 
 }  // namespace gsim::simulation

@@ -61,7 +61,7 @@ void Recorder::mark_last(std::uint16_t beyond) {
     (waiting_.empty() ? move_.info : waiting_.back()).beyond = beyond;
 }
 
-// A rest of the controller's own, which is part of no move.
+// Returns true for a standstill that the controller itself adds, which is part of no move.
 bool Recorder::is_between_moves(const Segment& segment) const {
     const rrs::TargetId id = segment.target_id;
     return segment.kind == SegmentKind::rest && !segment.beside && in_move_ && move_.info.target_id != id &&
@@ -94,7 +94,8 @@ void Recorder::take(const Segment& segment) {
     for (RunOutput* output : outputs_) output->take(segment, move_.info);
 }
 
-// Moves that wait in front of the one with this id got no segment: they end where and when they begin.
+// Ends moves that wait in front of the one with this id: they got no segment, so they begin and end at the
+// same position and time.
 void Recorder::go_to_move(rrs::TargetId id) {
     end_move();
     const auto found = std::find_if(waiting_.begin(), waiting_.end(),
@@ -133,7 +134,7 @@ void Recorder::end_move() {
     for (RunOutput* output : outputs_) output->take(move_);
 }
 
-// A move is limited by what limits the longest of its segments, ramps and corners being short ones.
+// Limits a move by the limit of its longest segment, because ramps and corners are short ones.
 void Recorder::add_limit(const Segment& segment) {
     if (segment.kind == SegmentKind::rest || segment.duration_s <= longest_s_) return;
     longest_s_ = segment.duration_s;
@@ -161,7 +162,8 @@ void Recorder::add_to_bounds(const Segment& segment) {
     if (segment.kind == SegmentKind::rest && !segment.beside) return;
     for (int joint = 0; joint < segment.end.size(); ++joint) {
         motion::Range& range = ranges_[static_cast<std::size_t>(joint)];
-        // Almost every segment stays where others have been, which is cheaper to see than how far it goes.
+        // Almost every segment stays within the range of earlier ones, which is cheaper to check than its
+        // travel.
         if (segment.surely_within(range, joint)) continue;
         const motion::Range way = segment.joint_range(joint);
         range.min = std::min(range.min, way.min);
@@ -183,7 +185,7 @@ std::vector<AxisBounds> Recorder::bounds() const {
     return bounds;
 }
 
-// The last move lasts until the controller is at rest.
+// Ends the last move when the controller is at standstill.
 void Recorder::finish(Report& report) {
     move_.end_s = end_s_;
     end_move();

@@ -14,38 +14,39 @@
 
 namespace gsim::simulation {
 
-/// Brings together what the client knows of moves and the segments that the planner makes of them: sums up
-/// the report and feeds the outputs. Memory is bounded by the moves that wait for their segments.
+/// Combination of the client's data on moves and the segments that the planner makes of them: sums up the
+/// report and feeds the outputs. Memory is bounded by the moves that wait for their segments.
 ///
-/// A move is made of all segments with its target id; they come one after the other, in the order of
-/// expect(). It counts, and goes to the outputs, if it takes time or is a dwell; a move to where the machine
-/// already stands does neither. Rests count as dwell whatever the move is. A segment that nobody expects
-/// counts in time and length, but makes no move.
+/// A move consists of all segments with its target id; they come one after the other, in the order of
+/// expect(). It counts, and is passed to the outputs, if it takes time or is a dwell; a move to the current
+/// position does neither. Standstills count as dwell whatever the move is. An unexpected segment counts in
+/// time and length, but makes no move.
 class Recorder : public motion::SegmentSink {
   public:
-    /// `machine` and `start` (joint values, mm or rad) hold from time 0 on; `machine` must outlive this.
+    /// Sets `machine` and `start` (joint values, mm or rad), which hold from time 0 on; `machine` must
+    /// outlive this.
     Recorder(const machine::Machine& machine, const rrs::JointPos& start);
 
-    /// Before the first segment. `output` must outlive this.
+    /// Adds an output, before the first segment. `output` must outlive this.
     void add_output(RunOutput& output);
 
-    /// Announces a move, before its first segment is taken.
+    /// Announces a move, before its first segment.
     void expect(const MoveInfo& info) { waiting_.push_back(info); }
     void take(const motion::Segment& segment) override;
-    /// The move announced last takes these joints past their ranges (MoveInfo::beyond).
+    /// Marks that the move announced last exceeds the ranges of these joints (MoveInfo::beyond).
     void mark_last(std::uint16_t beyond);
 
-    /// The move whose segments arrive; what nobody expects has an id alone.
+    /// Returns the move with the arriving segments; an unexpected one has only an id.
     const MoveInfo& move() const { return move_.info; }
-    /// End of the segments so far.
+    /// Returns the end of the segments so far.
     double time_s() const { return end_s_; }
 
-    /// Ends the outputs and fills in what a recorder knows of a report: times, lengths, moves, bounds,
-    /// slowest and the name of the machine. Call it once, behind the last segment.
+    /// Ends the outputs and fills in the recorder's part of a report: times, lengths, moves, bounds, slowest
+    /// and the name of the machine. Call it once, after the last segment.
     void finish(Report& report);
 
   private:
-    // Highest first; the earlier of equals first.
+    // List with the highest first; of equals the earlier one first.
     class Slowest {
       public:
         void add(const RecordedMove& move);
@@ -70,7 +71,7 @@ class Recorder : public motion::SegmentSink {
     std::vector<RunOutput*> outputs_;
     rrs::JointPos start_;
     std::deque<MoveInfo> waiting_;
-    RecordedMove move_;     // the one whose segments arrive
+    RecordedMove move_;     // the one with arriving segments
     double longest_s_ = 0;  // of its segments
     bool in_move_ = false;  // move_ was expected, so that it may count
     double end_s_ = 0;

@@ -30,7 +30,8 @@ class Collector {
     }
 
   private:
-    /// At a place of the run, or about the program as a whole where none is known.
+    /// Returns a diagnostic at a source location of the run, or about the complete program if the location is
+    /// unknown.
     Diagnostic at(const Place& place) const {
         const bool known = place.line > 0 && place.file < report_.files.size();
         Diagnostic diagnostic;
@@ -46,7 +47,7 @@ class Collector {
         all_.push_back(std::move(diagnostic));
     }
 
-    /// Where an error of the program's text kept it from being run, the alarm is that error.
+    /// Returns true if the alarm is an error of the program's text that kept it from being run.
     bool is_told(const Alarm& alarm) const {
         const Diagnostic place = at(alarm.place);
         return std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& told) {
@@ -115,7 +116,7 @@ class Collector {
                             collision.t_s));
         }
         for (const BlockClearance& near : report_.cell->clearances) {
-            if (near.clearance_mm <= 0) continue;  // of the pairs that meet, told above
+            if (near.clearance_mm <= 0) continue;  // of the pairs that meet, reported above
             add(at(near.place), Severity::warning, DiagnosticKind::near_miss,
                 fmt::format("near miss: '{}' and '{}', {:.3f} mm", near.first, near.second,
                             near.clearance_mm));

@@ -6,9 +6,9 @@
 
 namespace gsim::simulation {
 
-/// All that a report has to tell of, one diagnostic each, in the order: the program's text, why the run did
-/// not complete, limits and zones that were passed, the process, contacts and near misses in the cell,
-/// warnings.
+/// Returns everything that a report contains, one diagnostic each, in the order: the program's text, the
+/// reason why the run did not complete, limits and zones that were passed, the process, contacts and near
+/// misses in the cell, warnings.
 std::vector<text::Diagnostic> diagnostics_of(const Report& report);
 
 }  // namespace gsim::simulation

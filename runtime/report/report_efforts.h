@@ -8,10 +8,10 @@
 
 namespace gsim::simulation {
 
-/// The key `efforts` of a report that has them (docs/report.md).
+/// Returns the key `efforts` of a report that has them (docs/report.md).
 nlohmann::ordered_json efforts_json(const Report& report);
 
-/// The same for people, in whole lines.
+/// Returns the same for people, in full lines.
 std::string efforts_text(const Report& report);
 
 }  // namespace gsim::simulation

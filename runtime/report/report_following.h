@@ -8,10 +8,10 @@
 
 namespace gsim::simulation {
 
-/// The key `following` of a report that has it (docs/report.md).
+/// Returns the key `following` of a report that has it (docs/report.md).
 nlohmann::ordered_json following_json(const Report& report);
 
-/// The same for people, in whole lines.
+/// Returns the same for people, in full lines.
 std::string following_text(const Report& report);
 
 }  // namespace gsim::simulation

@@ -219,7 +219,7 @@ Json passes(const Report& report) {
             {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
 }
 
-/// Without the rounding of shares.
+/// Avoids the rounding of shares.
 double percent(double share) {
     return std::round(share * 1e10) / 1e8;
 }
@@ -238,7 +238,7 @@ Json overrides(const OverrideReport& overrides) {
             {"spindle_locked_s", number(overrides.spindle_locked_s)}};
 }
 
-// `words_s` is there where words take time.
+// Adds `words_s` if words take time.
 Json times(const Report& report) {
     Json json = {{"rapid_s", number(report.rapid_s)},
                  {"feed_s", number(report.feed_s)},

@@ -37,10 +37,10 @@ class Text {
         text_ += text + '\n';
     }
     void blank() { text_ += '\n'; }
-    /// Lines that are made elsewhere.
+    /// Adds lines that are made elsewhere.
     void lines(std::string_view text) { text_ += text; }
 
-    /// A long text in lines of at most kLineWidth, broken at spaces where there are any.
+    /// Adds a long text in lines of at most kLineWidth, broken at spaces if it has any.
     void wrapped(std::string_view first_prefix, std::string_view text) {
         std::string rest = clean(text);
         std::string prefix(first_prefix);
@@ -175,7 +175,7 @@ void add_explanation(Text& out, const Report& report) {
     out.line("lower bound  {:.3f} s{}", bound_s, times);
 }
 
-// The axis's range as a bar, the part that was reached as '='.
+// Returns the axis's range as a bar, the part that was reached as '='.
 std::string bar(const AxisBounds& axis) {
     const double range = axis.limit_max - axis.limit_min;
     if (!(range > 0) || !std::isfinite(range)) return "";
@@ -190,7 +190,7 @@ std::string bar(const AxisBounds& axis) {
     return fmt::format("[{}] {:>5.1f} %", cells, std::min(percent, 999.9));
 }
 
-// Of at most eleven characters.
+// Returns at most eleven characters.
 std::string bound_text(double value) {
     if (!std::isfinite(value)) return "none";
     return std::abs(value) < 1e6 ? text::fixed(value, 3) : fmt::format("{:.4g}", value);
@@ -278,7 +278,7 @@ void add_collisions(Text& out, const Report& report) {
     if (collisions.size() > kShownCollisions) out.line("{:>14}", "...");
 }
 
-// The smallest first.
+// Adds the smallest first.
 void add_clearances(Text& out, const Report& report) {
     std::vector<const BlockClearance*> blocks;
     blocks.reserve(report.cell->clearances.size());

@@ -12,9 +12,10 @@ namespace gsim::simulation {
 
 inline constexpr std::size_t kLineWidth = 100;
 
-/// Names and messages come from strangers' files: without what a terminal would take as a command.
+/// Removes what a terminal would take as a command, because names and messages come from files of untrusted
+/// users.
 std::string clean(std::string_view text);
-/// Of a long name the end, which tells more than its beginning.
+/// Returns the end of a long name, which says more than its beginning.
 std::string shortened(std::string_view text, std::size_t width);
 /// "part.nc:12"
 std::string place_text(const Report& report, const Place& place, std::size_t width = 40);

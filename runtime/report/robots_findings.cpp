@@ -1,4 +1,4 @@
-// What a RobotsWatch has found, for the reports of the robots.
+// Findings of a RobotsWatch, for the reports of the robots.
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ std::string RobotsWatch::item_name(const Track& track, std::size_t item) {
     return track.simulator->cell()->cell().items[item].name;
 }
 
-/// Contacts of a pair that are new, while the pieces of both sides are still there.
+/// Records new contacts of a pair, while the parts of both sides still exist.
 void RobotsWatch::note(Pair& pair, const std::array<const Piece*, 2>& pieces) {
     const std::vector<cell::Contact>& contacts = pair.watch.contacts();
     for (; pair.told < contacts.size(); ++pair.told) {

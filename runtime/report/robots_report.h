@@ -13,15 +13,16 @@ struct RobotReport {
     Report report;
 };
 
-/// The result of a run of several robots.
+/// Result of a run of several robots.
 struct RobotsReport {
-    /// Program, status, alarm, cycle time, processes and signals of all together; the rest is each robot's.
+    /// Program, status, alarm, cycle time, processes and signals of all together; other values are each
+    /// robot's.
     Report whole;
     std::vector<RobotReport> robots;  ///< In the order of their file.
 };
 
-/// Puts the whole together: the alarm is that of the first robot that has one; the cycle time is the latest
-/// end of a robot or of a process that the run waits for.
+/// Combines the reports: the alarm is that of the first robot that has one; the cycle time is the latest end
+/// of a robot or of a process that the run waits for.
 RobotsReport robots_report(Report whole, std::vector<RobotReport> robots);
 
 std::string to_json(const RobotsReport& report);

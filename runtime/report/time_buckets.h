@@ -10,7 +10,7 @@
 
 namespace gsim::simulation {
 
-/// A speed or an acceleration (mm/s, mm/s2) at an instant of a rapid, or of another move with the jet on or
+/// Speed or acceleration (mm/s, mm/s2) at an instant of a rapid, or of another move with the process on or
 /// off.
 struct TimePoint {
     double t_s = 0;
@@ -18,21 +18,22 @@ struct TimePoint {
     PathStyle style = PathStyle::feed;
 };
 
-/// Keeps lowest and highest of many samples in slots of time, which grow with the length of the run, so that
-/// a curve of few points shows every peak.
+/// Lowest and highest of many samples in slots of time, which grow with the length of the run. So a curve of
+/// few points shows every peak.
 class TimeBuckets {
   public:
     static constexpr std::size_t kMaxBuckets = 4096;
 
-    /// Samples come in the order of time.
+    /// Adds a sample; they come in the order of time.
     void add(const TimePoint& point);
-    /// At most six points for each slot, in the order of time.
+    /// Returns at most six points for each slot, in the order of time.
     std::vector<TimePoint> points() const;
-    /// The width of a slot now.
+    /// Returns the current width of a slot.
     double width_s() const { return width_s_; }
 
   private:
-    // With the number of the sample, as the end of a move and the start of the next share an instant.
+    // Point with the number of its sample, because the end of a move and the start of the next share an
+    // instant.
     struct Numbered {
         TimePoint point;
         std::uint64_t number;

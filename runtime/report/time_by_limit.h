@@ -11,13 +11,14 @@
 
 namespace gsim::simulation {
 
-/// Adds up how long each kind of limit was what kept the machine from being faster, and how long it rested.
+/// Sum of the times for which each kind of limit kept the machine from being faster, and of its standstill.
 class TimeByLimit : public RunOutput {
   public:
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
-    /// The most time first; limits that took none are left out. The times add up to the cycle time.
+    /// Returns the times, the longest first; limits without time are omitted. The times add up to the cycle
+    /// time.
     std::vector<LimitTime> list(const machine::Machine& machine) const;
 
   private:

@@ -1,5 +1,5 @@
-// Functions of angles in degrees, worked out with the digits of long double and rounded once, as LinuxCNC
-// does: by way of math.rad() FIX[ACOS[SIN[-7]]] would be 96, and not 97.
+// Functions of angles in degrees, computed with the digits of long double and rounded once, as LinuxCNC does:
+// with math.rad() FIX[ACOS[SIN[-7]]] would be 96, and not 97.
 
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ using Precise = long double;
 constexpr Precise kHalfTurn = 180;
 constexpr Precise kPi = std::numbers::pi_v<Precise>;
 
-// A quarter of a turn in parts, each of so few digits that its products with kMostQuarters at most are exact
+// Quarter of a turn in parts, each of so few digits that its products with kMostQuarters at most are exact
 // (Cody and Waite, Software Manual for the Elementary Functions, 1980).
 constexpr Precise kQuarterHigh = 0x1.921fb54442p+0L;
 constexpr Precise kQuarterMiddle = 0x1.a308d31319p-41L;
@@ -24,7 +24,7 @@ constexpr Precise kQuarterLow = 0x1.145c06e0e6894812p-82L;
 constexpr Precise kMostQuarters = 1 << 20;
 constexpr Precise kQuartersPerRad = 2 / kPi;
 
-/// An angle (rad) as quarters of a turn, counted from 0 to 3, and what is left of it, at most half a quarter.
+/// Angle (rad) as quarters of a turn, counted from 0 to 3, and the remainder, at most half a quarter.
 struct Reduced {
     unsigned quarters;
     Precise rest;
@@ -37,8 +37,8 @@ Reduced reduced(Precise angle) {
     return {static_cast<unsigned>(whole) & 3U, rest};
 }
 
-// Taylor's series up to half a quarter: what is left out is below 2^-72 of the value. Terms that are below
-// 2^-13 of it need no more digits than those of double, which are worked out in a quarter of the time.
+// Taylor's series up to half a quarter: the omitted part is below 2^-72 of the value. Terms that are below
+// 2^-13 of it need no more digits than those of double, which are computed in a quarter of the time.
 
 Precise sine_near_zero(Precise x) {
     const Precise square = x * x;
@@ -67,7 +67,7 @@ Precise sine(Precise angle, unsigned quarters_ahead) {
     return (place & 2U) != 0 ? -value : value;
 }
 
-/// The first argument, degrees, in rad.
+/// Returns the first argument, degrees, in rad.
 Precise angle_of(lua_State* state) {
     return static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
 }
@@ -85,7 +85,7 @@ int tan_deg(lua_State* state) {
     return 1;
 }
 
-/// The angle is that of a double: only the way to degrees has more digits.
+/// Pushes the angle of a double: only the conversion to degrees has more digits.
 int push_degrees(lua_State* state, double radians) {
     lua_pushnumber(state, static_cast<double>(radians * kHalfTurn / kPi));
     return 1;

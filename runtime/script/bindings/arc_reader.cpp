@@ -47,7 +47,7 @@ bool has_word(lua_State* state, int index, const char* name) {
     return has;
 }
 
-/// The words of an arc besides those of its end.
+/// Words of an arc other than those of its end.
 struct ArcWords final : OtherWords {
     std::array<std::optional<double>, 3> center;  // I, J, K
     std::optional<double> radius, angle, turns;
@@ -72,7 +72,7 @@ struct ArcWords final : OtherWords {
     }
 };
 
-/// The arc while it is read: what its words say, and where it starts.
+/// Arc while it is read: its words, and its start.
 class ArcReader {
   public:
     ArcReader(lua_State* state, Interpreter& interpreter, int index)
@@ -120,12 +120,12 @@ class ArcReader {
     ArcWords words_;
     // The plane in the machine:
     Vector3d normal_, first_, second_;
-    std::array<int, 3> axes_{};  // of X, Y and Z; -1 where the machine has none
+    std::array<int, 3> axes_{};  // of X, Y and Z; -1 if the machine has none
     double scale_ = 1;           // of lengths in the plane, by the matrix in force
     bool same_sense_ = true;     // which it keeps
 };
 
-/// The words that say how the arc is given must not contradict each other.
+/// Checks that the words that give the arc do not contradict each other.
 void ArcReader::check_words() {
     const char first = upper(center_word(plane_.first));
     const char second = upper(center_word(plane_.second));
@@ -154,7 +154,7 @@ int ArcReader::machine_axis(int axis) {
     return index;
 }
 
-/// The axes that the arc moves must be there.
+/// Checks that the axes that the arc moves exist.
 void ArcReader::check_axes() {
     for (int axis = 0; axis < 3; ++axis) {
         const bool moves = std::max(std::abs(first_[axis]), std::abs(second_[axis])) > kNoShare;
@@ -180,13 +180,13 @@ void ArcReader::set_in_plane(AxisVector& point, const Vector2d& to) const {
     }
 }
 
-/// The direction of a program axis in the machine; with scaling its length is the factor.
+/// Returns the direction of a program axis in the machine; with scaling its length is the factor.
 Vector3d ArcReader::direction(int axis) const {
     return interpreter_.frame().direction(Vector3d::Unit(axis));
 }
 
-/// Rotation, scaling and mirror image: where the plane lies then, the factor of its lengths, and the sense of
-/// turning.
+/// Applies rotation, scaling and mirror image: the resulting plane, the factor of its lengths, and the sense
+/// of turning.
 void ArcReader::map_plane() {
     const Vector3d a = direction(plane_.first);
     const Vector3d b = direction(plane_.second);
@@ -214,7 +214,7 @@ Vector2d ArcReader::absolute_center(const Vector2d& center) {
     return in_plane(AxisVector(frame.to_machine(point)));
 }
 
-/// The centre by I, J, K: a vector from the start, or where the program says so a point.
+/// Returns the centre by I, J, K: a vector from the start, or a point if the program says so.
 Vector2d ArcReader::center(const Vector2d& start) {
     const double unit_mm = interpreter_.unit_mm();
     const Vector2d words{center_on(plane_.first).value_or(0) * unit_mm,

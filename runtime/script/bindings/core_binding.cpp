@@ -24,7 +24,7 @@ int return_all(lua_State* state, int, lua_KContext) {
     return lua_gettop(state);
 }
 
-/// A word in Lua; upvalues: interpreter, function, id. It may wait for other processes.
+/// Calls a word in Lua; upvalues: interpreter, function, id. It may wait for other processes.
 int call_word(lua_State* state) {
     interpreter_of(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     lua_pushvalue(state, lua_upvalueindex(2));
@@ -33,7 +33,8 @@ int call_word(lua_State* state) {
     return return_all(state, LUA_OK, 0);
 }
 
-/// core.word(id, function): the function as a word of the language, which counts blocks and knows its place.
+/// core.word(id, function): makes the function a word of the language, which counts blocks and knows its
+/// source location.
 int make_counted_word(lua_State* state) {
     const lua_Integer id = check_word_id(state, 1);
     luaL_checktype(state, 2, LUA_TFUNCTION);
@@ -54,11 +55,11 @@ DiagnosticKind check_kind(lua_State* state, int index) {
 /// core.alarm(kind, message): ends the run; the kind by its code.
 int alarm(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
-    interpreter.locate(state);  // an expression has no word that would have told its place
+    interpreter.locate(state);  // an expression has no word that would have set its location
     interpreter.alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
-/// core.note_place(): remembers where the script is.
+/// core.note_place(): remembers the script's source location.
 int note_place(lua_State* state) {
     interpreter_of(state).locate(state);
     return 0;
@@ -68,21 +69,21 @@ int alarm_at_noted_place(lua_State* state) {
     interpreter_of(state).alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
-/// core.enter_program(name): a program is called from here.
+/// core.enter_program(name): enters a program that is called from here.
 int enter_program(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.simulator().enter_program(luaL_checkstring(state, 1), interpreter.place());
     return 0;
 }
 
-/// core.repeat_program(): the program called last is gone through once more.
+/// core.repeat_program(): the program called last runs once more.
 int repeat_program(lua_State* state) {
     interpreter_of(state).simulator().repeat_program();
     return 0;
 }
 
-/// core.note_pass(count, block or nil): a pass of the main program ends here, and leads back to its start or
-/// to that block.
+/// core.note_pass(count, block or nil): ends a pass of the main program, which leads back to its start or to
+/// that block.
 int note_pass(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     simulation::Passes passes;
@@ -181,13 +182,13 @@ int set_feed(lua_State* state) {
     return 0;
 }
 
-/// core.clear_feed(): no feed is in force.
+/// core.clear_feed(): no feed is active.
 int clear_feed(lua_State* state) {
     interpreter_of(state).modal().feed = 0;
     return 0;
 }
 
-/// core.set_letters_uvw(increments): whether U, V and W are increments of X, Y and Z where no axis has the
+/// core.set_letters_uvw(increments): true if U, V and W are increments of X, Y and Z when no axis has the
 /// letter.
 int set_letters_uvw(lua_State* state) {
     interpreter_of(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
@@ -211,7 +212,7 @@ int feed_mode(lua_State* state) {
 int set_feed_mode(lua_State* state) {
     ModalState& modal = interpreter_of(state).modal();
     const auto mode = static_cast<FeedMode>(check_choice(state, 1, nullptr, kFeedModes));
-    if (mode != modal.feed_mode) modal.feed = 0;  // an F of one mode means nothing in another
+    if (mode != modal.feed_mode) modal.feed = 0;  // an F of one mode has no meaning in another
     modal.feed_mode = mode;
     return 0;
 }

@@ -16,7 +16,7 @@ using simulation::AxisVector;
 
 namespace {
 
-/// The words of a list, each between two blanks (" i j "), whatever their values.
+/// Words of a list, each between two blanks (" i j "), whatever their values.
 class ListedWords final : public OtherWords {
   public:
     explicit ListedWords(std::string_view list) : list_(list) {}
@@ -41,7 +41,8 @@ int check_axis(lua_State* state, int argument) {
     return axis;
 }
 
-// A control changes its frames when the moves so far have been made: it has planned them in the old ones.
+// A controller changes its frames after the moves so far have been made, because it has planned them in the
+// old ones.
 int set_offset(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     if (interpreter.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
@@ -49,7 +50,7 @@ int set_offset(lua_State* state) {
     return 0;
 }
 
-/// core.set_word_factor(letter, factor): how many program units 1 in a word of the axis counts.
+/// core.set_word_factor(letter, factor): number of program units for 1 in a word of the axis.
 int set_word_factor(lua_State* state) {
     interpreter_of(state).set_word_factor(check_axis(state, 1), luaL_checknumber(state, 2));
     return 0;
@@ -60,7 +61,7 @@ int word_factor(lua_State* state) {
     return 1;
 }
 
-/// core.has_matrix(): a rotation, scaling or mirror image is in force.
+/// core.has_matrix(): true if a rotation, scaling or mirror image is active.
 int has_matrix(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(interpreter_of(state).frame().has_matrix()));
     return 1;
@@ -92,7 +93,7 @@ int machine_frame_once(lua_State* state) {
     return 0;
 }
 
-/// core.in_machine_frame(): true where G53 holds for the move of this block.
+/// core.in_machine_frame(): true if G53 holds for the move of this block.
 int in_machine_frame(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().machine_frame_once));
     return 1;
@@ -108,8 +109,8 @@ int machine_position(lua_State* state) {
     return 1;
 }
 
-/// core.turned(letter, value): where the axis goes that is told to go to `value` in machine coordinates; of a
-/// rotary one that may be some turns off.
+/// core.turned(letter, value): position of an axis that is sent to `value` in machine coordinates; for a
+/// rotary one it may be some turns off.
 int turned(lua_State* state) {
     const Interpreter& interpreter = interpreter_of(state);
     const int axis = check_axis(state, 1);
@@ -119,7 +120,7 @@ int turned(lua_State* state) {
     return 1;
 }
 
-/// core.reading(letter, value): what the axis shows at `value` in machine coordinates.
+/// core.reading(letter, value): value that the axis shows at `value` in machine coordinates.
 int reading(lua_State* state) {
     const auto axis = static_cast<std::size_t>(check_axis(state, 1));
     lua_pushnumber(state, machine::reading(interpreter_of(state).simulator().machine().axes[axis],
@@ -137,7 +138,7 @@ int set_programmed(lua_State* state) {
     return 0;
 }
 
-/// core.target(words, others): machine coordinates of all axes after the move, and whether any axis is named.
+/// core.target(words, others): machine coordinates of all axes after the move, and true if any axis is named.
 int target(lua_State* state) {
     AxisVector values;
     const std::string_view list = luaL_optstring(state, 2, "");
@@ -155,7 +156,7 @@ int to_program(lua_State* state) {
     return 1;
 }
 
-/// core.to_machine(values): the way back; axes that are not named stay where they are.
+/// core.to_machine(values): the reverse; axes that are not named stay unchanged.
 int to_machine(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const ProgramFrame& frame = interpreter.frame();
@@ -180,7 +181,7 @@ int direction(lua_State* state) {
     return 3;
 }
 
-/// core.set_tip_control(nil or offsets by letter in mm): tool-centre-point control.
+/// core.set_tip_control(nil or offsets by letter in mm): TCP control.
 int set_tip_control(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     std::optional<Eigen::Vector3d> offset;
@@ -197,7 +198,7 @@ int set_tip_control(lua_State* state) {
     return 0;
 }
 
-/// core.tip_control(): whether it is on.
+/// core.tip_control(): true if it is on.
 int tip_control(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().has_tip_control()));
     return 1;

@@ -44,7 +44,7 @@ bool leads_groups(const machine::Machine& machine) {
     return machine.inverse == machine::InverseKind::numeric;
 }
 
-/// The axis of a group that the key at the top but one of the stack names.
+/// Returns the axis of a group that is named by the key one below the top of the stack.
 std::size_t check_group_axis(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {
     const machine::Machine& machine = interpreter.simulator().machine();
     const std::string key = lua_type(state, -2) == LUA_TSTRING ? lua_tostring(state, -2) : "";
@@ -74,7 +74,7 @@ void read_targets(lua_State* state, Interpreter& interpreter, const machine::Axi
         }
         targets.push_back({axis, value});
     }
-    // In the order of the axes, which that of a table is not.
+    // Sorts by axis, because a table has no such order.
     std::sort(targets.begin() + static_cast<std::ptrdiff_t>(first), targets.end(),
               [](const auto& a, const auto& b) { return a.axis < b.axis; });
 }
@@ -138,7 +138,7 @@ int set_group_motion(lua_State* state) {
     return 0;
 }
 
-/// core.move_group(name, {c = 90}): an independent group goes by itself.
+/// core.move_group(name, {c = 90}): an independent group moves by itself.
 int move_group(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.locate(state);
@@ -159,7 +159,7 @@ int move_group(lua_State* state) {
     return 0;
 }
 
-/// core.wait_for_groups(): until none goes by itself.
+/// core.wait_for_groups(): waits until none moves by itself.
 int wait_for_groups(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     interpreter.locate(state);

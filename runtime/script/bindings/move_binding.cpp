@@ -23,7 +23,7 @@ using simulation::Place;
 
 namespace {
 
-// --- Feeds and places that travel with a move which is put out later ---
+// --- Feeds and locations of a move that is output later ---
 
 void push_feed(lua_State* state, const Feed& feed) {
     lua_createtable(state, 0, 4);
@@ -41,7 +41,7 @@ void push_feed(lua_State* state, const Feed& feed) {
     }
 }
 
-/// The feed at `index`, or where there is none the one in force; `sweep_rad` of an arc.
+/// Returns the feed at `index`, or the active one if it is missing; `sweep_rad` for an arc.
 Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
     if (lua_isnoneornil(state, index)) return interpreter_of(state).feed(state, sweep_rad);
     luaL_checktype(state, index, LUA_TTABLE);
@@ -60,7 +60,7 @@ Place check_place(lua_State* state, int index) {
     return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
 }
 
-/// core.take_feed(sweep_rad or nil): the feed in force; an F of inverse time feed is used up.
+/// core.take_feed(sweep_rad or nil): the active feed; an F of inverse time feed is used up.
 int take_feed(lua_State* state) {
     std::optional<double> sweep_rad;
     if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
@@ -68,7 +68,7 @@ int take_feed(lua_State* state) {
     return 1;
 }
 
-/// core.feed_mm_min(value): a feed of that many mm/min, or deg/min where rotary axes move alone.
+/// core.feed_mm_min(value): a feed of that many mm/min, or deg/min if only rotary axes move.
 int feed_mm_min(lua_State* state) {
     Feed feed;
     feed.linear_mm_min = luaL_checknumber(state, 1);
@@ -112,8 +112,9 @@ int line_to(lua_State* state) {
 }
 
 /// core.probe(target, feed, place, away, signal): a straight move that a signal ends; `away`: that contact is
-/// lost. `signal` is nil, or what a script answers: false, or the part of the way at which it comes. Gives
-/// whether it came, whether it was there before the move, and the machine coordinates where it came.
+/// lost. `signal` is nil, or the result of a script: false, or the share of the path at which it comes.
+/// Returns whether it came, whether it was present before the move, and the machine coordinates at that
+/// instant.
 int probe(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     simulation::ProbeMove move;
@@ -205,7 +206,7 @@ int exact_stop_once(lua_State* state) {
     return 0;
 }
 
-/// core.take_time(s, key, place): the machine rests for what a word has set going.
+/// core.take_time(s, key, place): the machine is at standstill for something that a word has started.
 int take_time(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const double seconds = luaL_checknumber(state, 1);
@@ -214,7 +215,7 @@ int take_time(lua_State* state) {
     return 0;
 }
 
-/// core.wait(): the control reads on when all moves have been made.
+/// core.wait(): the controller reads on when all moves have been made.
 int wait(lua_State* state) {
     interpreter_of(state).simulator().wait();
     return 0;
@@ -244,7 +245,7 @@ int select_work_offset(lua_State* state) {
     return 0;
 }
 
-/// core.lock_overrides(feed, rapid, spindle): which of the operator's overrides the moves that follow do not
+/// core.lock_overrides(feed, rapid, spindle): the operator's overrides that the moves that follow do not
 /// obey.
 int lock_overrides(lua_State* state) {
     const auto is_locked = [state](int index) { return lua_toboolean(state, index) != 0; };
@@ -294,7 +295,7 @@ int reset_ramp_limits(lua_State* state) {
 }
 
 /// core.set_path_limits{ speed=, acceleration=, square_corner_velocity=, minimum_cruise_ratio= }: of the path
-/// in the moves that follow, mm and s; what is left out stays.
+/// in the moves that follow, mm and s; omitted values stay.
 int set_path_limits(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     const auto field = [state](const char* name) {

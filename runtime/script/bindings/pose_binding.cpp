@@ -27,7 +27,7 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 }
 
 /// core.pose_axes{x=, y=, z=, roll=, pitch=, yaw=}: axis values that bring the tool to a pose in mm and
-/// degrees; groups of axes, by their names, where the pose has them, else where they stand.
+/// degrees; groups of axes, by their names, are at the pose's values, or else at their current ones.
 int pose_axes(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const tl::expected<simulation::AxisVector, std::string> axes =
@@ -38,8 +38,8 @@ int pose_axes(lua_State* state) {
     return 1;
 }
 
-/// core.pose_move(pose, via or nil): the tool in a line, or by the pose `via` in an arc, and groups of axes
-/// beside it.
+/// core.pose_move(pose, via or nil): moves the tool in a line, or by the pose `via` in an arc, with
+/// superimposed groups of axes.
 int pose_move(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     simulation::PoseMove move;
@@ -52,7 +52,7 @@ int pose_move(lua_State* state) {
     return 0;
 }
 
-/// core.tip_turns(): whether a line of the axes between two poses is none of the tool.
+/// core.tip_turns(): true if a line of the axes between two poses is not one of the tool.
 int tip_turns(lua_State* state) {
     lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().tip_turns()));
     return 1;

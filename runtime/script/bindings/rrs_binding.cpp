@@ -4,9 +4,9 @@
 #include "runtime/script/bindings/service_binding.h"
 #include "runtime/script/lua/lua_state.h"
 
-// The services as scripts call them: each returns the status first, then what the service gives. A target
-// that a script queues itself is recorded at the script's line as a rapid or linear move, by the motion type
-// in force.
+// Services as scripts call them: each returns the status first, then the results of the service. A target
+// that a script itself enqueues is recorded at the script's line as a rapid or linear move, by the active
+// motion type.
 
 namespace gsim::script {
 
@@ -20,7 +20,7 @@ struct Target {
     rrs::JointPos joints;
 };
 
-/// A target: a list of joint values, or a pose.
+/// Returns a target: a list of joint values, or a pose.
 Target check_target(lua_State* state, int index) {
     Target target;
     luaL_checktype(state, index, LUA_TTABLE);
@@ -41,8 +41,8 @@ int service(lua_State* state) {
     return call_service(state, method);
 }
 
-/// Services that no script may call: they are extensions for the words of programs, which call them through
-/// the simulator.
+/// True for services that no script may call: they are extensions for the words of programs, which call them
+/// through the simulator.
 template <auto method>
 inline constexpr bool kOfWords = false;
 template <>
@@ -58,7 +58,7 @@ inline constexpr bool kOfWords<&Shell::SetTipControl> = true;
 template <>
 inline constexpr bool kOfWords<&Shell::ComeToRest> = true;
 
-// Services that scripts call in a way of their own, or that are more than the controller's to answer.
+// Services that scripts call in a special form, or that need more than a response of the controller.
 
 template <>
 int service<&Shell::Initialize>(lua_State* state) {  // the run has opened the session

@@ -14,8 +14,8 @@
 #include "runtime/script/lua/choice.h"
 #include "runtime/script/lua/pose_table.h"
 
-// A service as scripts call it, made from its method of Shell: arguments in its order, then the status, then
-// what it gives.
+// Service as scripts call it, made from its method of Shell: arguments in its order, then the status, then
+// its results.
 namespace gsim::script {
 
 /// Names of an enumeration's values in scripts, in the order of `values`.
@@ -88,15 +88,15 @@ class Arguments {
     rrs::JointPos read(std::type_identity<rrs::JointPos>) {
         return check_joints(state_, ++at_, joint_count(state_));
     }
-    /// Three numbers.
+    /// Reads three numbers.
     Eigen::Vector3d read(std::type_identity<Eigen::Vector3d>) {
         const double x = luaL_checknumber(state_, ++at_);
         const double y = luaL_checknumber(state_, ++at_);
         return {x, y, luaL_checknumber(state_, ++at_)};
     }
-    /// Scripts mean all joints.
+    /// Returns no joints, because scripts mean all of them.
     std::span<const int> read(std::type_identity<std::span<const int>>) { return {}; }
-    /// A list of numbers, or one number for all.
+    /// Reads a list of numbers, or one number for all.
     std::span<const double> read(std::type_identity<std::span<const double>>) {
         if (lua_isnumber(state_, ++at_) != 0) {
             values_.assign(joint_count(state_), lua_tonumber(state_, at_));
@@ -130,13 +130,13 @@ inline rrs::Shell& shell_of(lua_State* state) {
     return interpreter_of(state).simulator().shell();
 }
 
-/// The status alone; how many results that is.
+/// Pushes the status alone; returns the number of results.
 inline int answer(lua_State* state, rrs::Status status) {
     lua_pushinteger(state, static_cast<lua_Integer>(status));
     return 1;
 }
 
-/// The status, and what the service has given unless it was refused.
+/// Pushes the status, and the results of the service unless it was rejected.
 template <typename... Outputs>
 int answer(lua_State* state, rrs::Status status, const Outputs&... outputs) {
     answer(state, status);

@@ -15,7 +15,7 @@ double number_at(lua_State* state, lua_Integer place) {
     return value;
 }
 
-/// The walls of one axis in the table at `index`: a pair of numbers, the lower one first.
+/// Returns the walls of one axis in the table at `index`: a pair of numbers, the lower one first.
 std::optional<machine::ZoneLimits> walls_at(lua_State* state, int index, const char* letter) {
     std::optional<machine::ZoneLimits> walls;
     if (lua_getfield(state, index, letter) == LUA_TTABLE) walls = {number_at(state, 1), number_at(state, 2)};
@@ -34,7 +34,7 @@ int set_zone(lua_State* state) {
     return 0;
 }
 
-/// core.switch_zones(number, on): false where no zone of the machine data has that number.
+/// core.switch_zones(number, on): returns false if no zone of the machine data has that number.
 int switch_zones(lua_State* state) {
     const auto number = static_cast<int>(luaL_checkinteger(state, 1));
     const bool known = interpreter_of(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
@@ -42,7 +42,7 @@ int switch_zones(lua_State* state) {
     return 1;
 }
 
-/// core.set_tool_offset(x, y, z): how far the machine's position is from the tool's end, mm.
+/// core.set_tool_offset(x, y, z): distance of the machine's position from the tool's end, mm.
 int set_tool_offset(lua_State* state) {
     interpreter_of(state).simulator().set_tool_offset(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});

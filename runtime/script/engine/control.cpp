@@ -19,7 +19,7 @@ namespace {
 
 /// core.corner_override.percent, .before_mm, .after_mm and .angle_deg; the table of core is on top of the
 /// stack.
-/// A list of words, on top of the stack: { code = "M62", text = "M62 P0", words = { p = 0 } }.
+/// Pushes a list of words: { code = "M62", text = "M62 P0", words = { p = 0 } }.
 void push_switch_words(lua_State* state, const std::vector<machine::SwitchWord>& words) {
     lua_createtable(state, static_cast<int>(words.size()), 0);
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -40,7 +40,7 @@ void push_switch_words(lua_State* state, const std::vector<machine::SwitchWord>&
     }
 }
 
-/// core.process; the table of the core is on top of the stack.
+/// Sets core.process; the table of the core is on top of the stack.
 void set_machine_process(lua_State* state, const machine::Process& process) {
     lua_createtable(state, 0, 3);
     lua_pushstring(state, std::string(machine::name(process.kind)).c_str());
@@ -52,7 +52,7 @@ void set_machine_process(lua_State* state, const machine::Process& process) {
     lua_setfield(state, -2, "process");
 }
 
-/// core.stops: which words stop the control otherwise than by default, by word as it is printed.
+/// Sets core.stops: words that stop the controller otherwise than by default, by word as it is printed.
 void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
     constexpr std::array kRules{"always", "on-change", "never"};
     lua_createtable(state, 0, static_cast<int>(rules.stops.size()));
@@ -63,7 +63,7 @@ void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "stops");
 }
 
-/// core.codes: what the dialect's table says, by column and by word; what is empty is left out.
+/// Sets core.codes: entries of the dialect's table, by column and by word; empty ones are omitted.
 void set_codes(lua_State* state, const std::vector<CodeRow>& codes) {
     constexpr std::array<std::pair<const char*, std::string CodeRow::*>, 4> kColumns{
         {{"group", &CodeRow::group},
@@ -83,7 +83,7 @@ void set_codes(lua_State* state, const std::vector<CodeRow>& codes) {
     lua_setfield(state, -2, "codes");
 }
 
-/// core.times, s; the table of the core is on top of the stack.
+/// Sets core.times, s; the table of the core is on top of the stack.
 void set_word_times(lua_State* state, const machine::WordTimes& times) {
     lua_createtable(state, 0, 9);
     set_number(state, "tool_change", times.tool_change_s);
@@ -110,7 +110,7 @@ void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "corner_override");
 }
 
-/// core.drilling: how the control's deep drilling goes.
+/// Sets core.drilling: the deep drilling of the controller.
 void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "clearance_mm", rules.peck_clearance_mm);
@@ -122,7 +122,8 @@ void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "drilling");
 }
 
-/// core.arc_resolution_mm, and core.retraction.length_mm, .speed_mm_s, .extra_mm and .unretract_speed_mm_s.
+/// Sets core.arc_resolution_mm, and core.retraction.length_mm, .speed_mm_s, .extra_mm and
+/// .unretract_speed_mm_s.
 void set_klipper_rules(lua_State* state, const rrs::ControllerRules& rules) {
     set_number(state, "arc_resolution_mm", rules.arc_resolution_mm);
     lua_createtable(state, 0, 4);
@@ -142,8 +143,8 @@ int refuse_shared_name(lua_State* state) {
                       luaL_tolstring(state, 2, nullptr));
 }
 
-/// Errors name a function of the table on top of the stack by this name of the table where the call has none:
-/// a tail call, or one by pcall.
+/// Names a function of the table on top of the stack by this table name in errors, if the call has no name: a
+/// tail call, or one by pcall.
 void name_functions(lua_State* state, const std::string& table) {
     lua_getfield(state, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
     lua_pushvalue(state, -2);
@@ -156,22 +157,22 @@ int append_bytes(lua_State* /*state*/, const void* bytes, std::size_t count, voi
     return 0;
 }
 
-/// The function on top of the stack, with the places of its lines.
+/// Returns the function on top of the stack, with the locations of its lines.
 std::string compiled_function(lua_State* state) {
     std::string bytes;
     lua_dump(state, append_bytes, &bytes, 0);
     return bytes;
 }
 
-/// `mode`: "t" for texts, "b" for what was compiled. The environment on top of the stack becomes the
-/// function's.
+/// Loads a chunk. `mode`: "t" for texts, "b" for compiled ones. The environment on top of the stack becomes
+/// the function's.
 void load_chunk(lua_State* state, std::string_view bytes, const char* name, const char* mode) {
     if (luaL_loadbufferx(state, bytes.data(), bytes.size(), name, mode) != LUA_OK) lua_error(state);
     lua_insert(state, -2);
     lua_setupvalue(state, -2, 1);
 }
 
-/// Of the library, compiled before where somebody has.
+/// Loads a file of the library, compiled if a run has compiled it before.
 void load_file(lua_State* state, const Library& library, const std::string& file_name) {
     const std::string chunk = "=lua_lib/" + file_name;
     const auto compiled = library.compiled() == nullptr ? nullptr : library.compiled()->find(file_name);
@@ -188,8 +189,8 @@ void load_text(lua_State* state, const std::string& text, const char* name) {
     load_chunk(state, text, name, "t");
 }
 
-/// What a script sees (the environment) and what the library's files see: the same safe functions, each in
-/// tables of their own, so that a script that changes its own harms no word; and the core.
+/// Sets up what a script sees (the environment) and what the library's files see. Both have the same safe
+/// functions, each in separate tables, so that a script that changes its tables harms no word; and the core.
 void Control::open(lua_State* state, const Library& library_files, const Switches& switches,
                    const AddCore& add_core_functions) {
     files_ = &library_files;
@@ -206,7 +207,7 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
         lua_getglobal(state, name);
         lua_setfield(state, library, name);
     }
-    // In Lua's order, which is quick, where none is asked for: unordered(t) is its own pairs.
+    // Uses Lua's order, which is fast, if no order is required: unordered(t) is Lua's own pairs.
     for (const auto& [name, own] : {std::pair{"next", "next"}, {"unordered", "pairs"}}) {
         lua_getglobal(state, own);
         lua_setfield(state, library, name);
@@ -245,7 +246,7 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     lua_pop(state, 1);
 }
 
-/// The library's files share no names of their own: what one gives to others it returns. The table of what
+/// Prevents shared names between the library's files: a file returns what it gives to others. The table that
 /// they all see is on top of the stack.
 void Control::seal(lua_State* state) {
     lua_createtable(state, 0, 2);
@@ -256,12 +257,12 @@ void Control::seal(lua_State* state) {
     lua_setmetatable(state, -2);
 }
 
-/// In front of names, where there are several robots.
+/// Returns the prefix of names, if the run has several robots.
 std::string Control::prefix() const {
     return robot_.name.empty() ? "" : robot_.name + ".";
 }
 
-/// Fields of `core` that the command line and the machine decide; the table is on top of the stack.
+/// Sets fields of `core` that the command line and the machine decide; the table is on top of the stack.
 void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_pushlstring(state, robot_.dialect.data(), robot_.dialect.size());
     lua_setfield(state, -2, "dialect");
@@ -287,7 +288,7 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
         set_word_times(state, times);
 }
 
-/// Pushes what a file of the library returns; it is run when it is needed first.
+/// Pushes the result of a file of the library, which is run when it is first needed.
 void Control::push_module(lua_State* state, const std::string& name) {
     lua_rawgeti(state, LUA_REGISTRYINDEX, modules_);
     if (lua_getfield(state, -1, name.c_str()) == LUA_TNIL) {
@@ -316,7 +317,7 @@ void Control::load_module(lua_State* state, const std::string& name) {
     loading_.pop_back();
 }
 
-/// use(name, fields ...): what the file of that name returns, or these fields of it.
+/// use(name, fields ...): the result of the file of that name, or these fields of it.
 int Control::use_module(lua_State* state) {
     const int fields = lua_gettop(state);
     const std::string name = luaL_checkstring(state, 1);
@@ -331,7 +332,7 @@ int Control::use_module(lua_State* state) {
     return fields - 1;
 }
 
-/// core.loading(): the name of the file of the library that is being loaded.
+/// core.loading(): the name of the library file that is being loaded.
 int Control::loading_module(lua_State* state) {
     const std::vector<std::string>& loading = bound<Control>(state).loading_;
     lua_pushstring(state, loading.empty() ? "" : loading.back().c_str());

@@ -15,29 +15,29 @@
 
 namespace gsim::script {
 
-/// One robot of a run: the simulator of its machine, and what its control is told.
+/// Robot of a run: the simulator of its machine, and the input of its controller.
 struct Robot {
     std::string name;  ///< Empty for the only one of a run without a file of robots.
     simulation::Simulator& simulator;
     std::string dialect = "ab9";
-    std::vector<CodeRow> codes;  ///< Of the dialect.
-    double unit_mm = 1;          ///< Of a program unit when the run begins: 1, or 25.4 for inches.
+    std::vector<CodeRow> codes;  ///< Codes of the dialect.
+    double unit_mm = 1;          ///< Program unit when the run begins: 1, or 25.4 for inches.
     machine::MachineData data;
     FindProgram find_program;                      ///< For programs that are called and not in the script.
-    FindProgram find_module;                       ///< For what scripts require beside the library.
-    rrs::CartPos base = rrs::CartPos::Identity();  ///< Of the machine's world in that of the conveyors.
+    FindProgram find_module;                       ///< For what scripts require outside the library.
+    rrs::CartPos base = rrs::CartPos::Identity();  ///< Pose of the machine's world in that of the conveyors.
 };
 
-/// The control of one robot: the library in Lua, loaded for it alone, with the C++ side that it is built on.
-/// Scripts see its environment.
+/// Controller of one robot: the library in Lua, loaded for it alone, with its C++ base. Scripts see its
+/// environment.
 class Control {
   public:
     struct Switches {
         bool block_delete = false;
         bool optional_stop = false;
-        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start.
+        std::uint64_t passes = 1;  ///< For a main program that leads back to its start.
     };
-    /// Adds functions to the table `core` of the library, which is on top of the stack.
+    /// Function that adds functions to the table `core` of the library, which is on top of the stack.
     using AddCore = std::function<void(lua_State*, Control&)>;
 
     Control(Robot robot, PlaceFinder& places)
@@ -55,15 +55,16 @@ class Control {
     Interpreter& interpreter() { return interpreter_; }
     simulation::Simulator& simulator() { return robot_.simulator; }
     const rrs::CartPos& base() const { return robot_.base; }
-    /// Time in which the robot has waited for others.
+    /// Returns the time in which the robot has waited for others.
     double idle_s() const { return idle_s_; }
     void add_idle(double seconds) { idle_s_ += seconds; }
 
-    /// What its scripts see.
+    /// Pushes what its scripts see.
     void push_environment(lua_State* state) const;
-    /// What the library gives to run programs by, under this name: what lua_lib/init.lua returns.
+    /// Pushes the function of the library for running programs that has this name: lua_lib/init.lua returns
+    /// it.
     void push_library(lua_State* state, const char* name) const;
-    /// All that filters of the path hold back goes to the machine.
+    /// Passes everything that filters of the path buffer to the machine.
     void flush(lua_State* state) const;
 
   private:
@@ -79,14 +80,14 @@ class Control {
     Interpreter interpreter_;
     const Library* files_ = nullptr;
     double idle_s_ = 0;
-    int environment_ = LUA_NOREF;       ///< What scripts see.
-    int library_ = LUA_NOREF;           ///< What the library's files see.
-    int modules_ = LUA_NOREF;           ///< What each file of the library has returned, by its name.
+    int environment_ = LUA_NOREF;       ///< Environment of scripts.
+    int library_ = LUA_NOREF;           ///< Environment of the library's files.
+    int modules_ = LUA_NOREF;           ///< Result of each file of the library, by its name.
     std::vector<std::string> loading_;  ///< Files that have begun to load, each needed by the one before.
 };
 
-/// Compiles a text and gives it the environment on top of the stack, in whose place the function is left; or
-/// raises.
+/// Compiles a text and gives it the environment on top of the stack, which the function replaces; or raises
+/// an error.
 void load_text(lua_State* state, const std::string& text, const char* name);
 
 }  // namespace gsim::script

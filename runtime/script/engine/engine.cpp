@@ -64,7 +64,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
     }
 }
 
-/// Runs `work` where errors of Lua are caught; the status is that of lua_pcall.
+/// Runs `work` with errors of Lua caught; the status is that of lua_pcall.
 int Engine::call_protected(void (*work)(Engine&)) {
     lua_State* state = lua_.get();
     work_ = work;
@@ -94,7 +94,7 @@ void Engine::open_controls() {
     lua_gc(state, LUA_GCRESTART);
 }
 
-/// What the library of a control asks of the engine.
+/// Adds functions that the library of a controller needs from the engine.
 void Engine::add_core_functions(lua_State* state, Control& control) {
     const auto set = [&](const char* name, lua_CFunction function) {
         lua_pushlightuserdata(state, this);
@@ -117,7 +117,7 @@ bool Engine::run(Script script) {
     return judge_processes(call_protected([](Engine& engine) { engine.run_processes(); }));
 }
 
-/// The main process is the library's, to which next_script gives the scripts.
+/// Runs the main process, which is the library's; next_script passes the scripts to it.
 void Engine::run_processes() {
     lua_State* state = lua_.get();
     controls_.front()->push_library(state, "main_process");
@@ -127,7 +127,8 @@ void Engine::run_processes() {
     outcome_ = processes_.run(state);
 }
 
-/// The next script, as a function that registers its functions and runs its other statements; else nothing.
+/// Returns the next script, as a function that registers its functions and runs its other statements;
+/// otherwise no value.
 int Engine::next_script(lua_State* state) {
     auto& engine = bound<Engine>(state);
     if (engine.pending_.empty()) return 0;
@@ -147,7 +148,7 @@ tl::expected<machine::MachineData, std::string> Engine::machine_data() {
     return read_kept([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
 }
 
-/// A run that has used up its steps or its time has none left for this: they count anew, or no longer.
+/// Restarts the steps and ends the time limit, because a run that has used them up has none left for this.
 tl::expected<void, std::string> Engine::read_kept(void (*read)(Engine&)) {
     lua_.restart_steps();
     lua_.end_by(nullptr);
@@ -192,8 +193,8 @@ void Engine::read_stored() {
 
 // --- Errors ---
 
-/// Notes what went wrong and where, while the stack still stands. The error is at `index`, and `level` levels
-/// up is what raised it.
+/// Records the error and its location, while the stack still exists. The error is at `index`, and was raised
+/// `level` levels up.
 void Engine::note_error(lua_State* state, int index, int level) {
     const char* text = lua_tostring(state, index);
     error_ = text != nullptr ? text
@@ -207,7 +208,7 @@ int Engine::handle_error(lua_State* state) {
     return 1;
 }
 
-/// What the end of the processes means for the run.
+/// Applies the end of the processes to the run.
 bool Engine::judge_processes(int status) {
     Control& first = *controls_.front();
     if (status != LUA_OK) return judge(status, lua_.get(), first);
@@ -223,7 +224,7 @@ bool Engine::judge_processes(int status) {
     });
 }
 
-/// What the end of a protected call means for the run; the error is on top of the stack.
+/// Applies the end of a protected call to the run; the error is on top of the stack.
 bool Engine::judge(int status, lua_State* state, Control& control) {
     simulation::Simulator& simulator = control.simulator();
     if (status == LUA_OK) return !simulator.alarm();

@@ -20,47 +20,47 @@
 
 namespace gsim::script {
 
-/// Runs one script on one or several simulators: the Lua state, a control for each, the processes, and what
-/// joins them.
+/// Execution of one script on one or several simulators: the Lua state, a controller for each, the processes,
+/// and their connections.
 class Engine {
   public:
     struct Options {
         LuaState::Limits limits;
-        os::CpuLimit* cpu = nullptr;  ///< Of the whole run; null: none. It outlives the engine.
+        os::CpuLimit* cpu = nullptr;  ///< For the full run; null: none. It outlives the engine.
         Library library;
-        machine::MachineData data;  ///< Of the only robot, as
+        machine::MachineData data;  ///< For the only robot, as
         FindProgram find_program;   ///< this is
         FindProgram find_module;
         std::optional<Script>
-            setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
+            setup;  ///< Runs before the program: user M codes, results of inputs and probes.
         std::string dialect = "ab9";  ///< and this,
         std::vector<CodeRow> codes;   ///< with what its table says,
         double unit_mm = 1;           ///< and the unit of programs when the run begins: 1 or 25.4.
         bool block_delete = false;
         bool optional_stop = false;
-        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start (M99); at least 1.
+        std::uint64_t passes = 1;  ///< For a main program that leads back to its start (M99); at least 1.
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
-        simulation::RobotsWatch* robots_watch = nullptr;  ///< Of several robots; it outlives the engine.
+        simulation::RobotsWatch* robots_watch = nullptr;  ///< For several robots; it outlives the engine.
         std::vector<process::SharedZone> zones;           ///< That processes share.
     };
 
-    /// Loads the library. Throws std::runtime_error with a sentence where that cannot be done.
+    /// Loads the library. Throws std::runtime_error with a message if that is impossible.
     Engine(simulation::Simulator& simulator, const Options& options);
-    /// For several robots, at least one: the script has the words of the first one.
+    /// Serves several robots, at least one: the script has the words of the first one.
     Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options);
 
-    /// Runs to the end, to an alarm or to a limit; what happened is the simulators' to tell. False where
-    /// there was an alarm or a limit.
+    /// Runs to the end, to an alarm or to a limit; the simulators report what happened. Returns false after
+    /// an alarm or a limit.
     bool run(Script script);
-    /// The variables that a control keeps from one run to the next, as they are now. The error is a sentence:
-    /// a run that ended for its memory may leave too little to read them.
+    /// Returns the variables that a controller keeps from one run to the next, as they are now. The error is
+    /// a message: a run that ended for its memory may leave too little to read them.
     tl::expected<std::map<int, double>, std::string> permanent_variables();
-    /// The machine data as the control holds them now: work coordinate systems, tools and variables may
-    /// differ from those of the start. The error is as above.
+    /// Returns the machine data as the controller has them now: work coordinate systems, tools and variables
+    /// may differ from those of the start. The error is as above.
     tl::expected<machine::MachineData, std::string> machine_data();
-    /// Adds what is to be told of processes, where there were any but the main one, or several robots.
+    /// Adds results of processes, if more than the main one ran, or of several robots.
     void report(simulation::Report& report) const;
-    /// Time in which a robot, by its number from 0, waited for others.
+    /// Returns the time in which a robot, by its number from 0, waited for others.
     double idle_s(std::size_t robot) const { return controls_[robot]->idle_s(); }
 
   private:
@@ -69,9 +69,9 @@ class Engine {
     struct BodyWalk;
     struct Loaded {
         Script script;
-        Control* control = nullptr;  ///< Whose words it has.
+        Control* control = nullptr;  ///< Controller of its words.
         std::uint32_t file = 0;
-        std::map<std::uint64_t, std::uint32_t> texts;  ///< Numbers for places, by where the text begins.
+        std::map<std::uint64_t, std::uint32_t> texts;  ///< Numbers for locations, by the start of the text.
         std::map<std::size_t, int> compiled;           ///< By function: what its only chunk became.
     };
 
@@ -111,14 +111,14 @@ class Engine {
     Processes processes_;
     void (*work_)(Engine&) = nullptr;
     std::vector<std::unique_ptr<Loaded>> loaded_;
-    std::map<std::pair<const Control*, std::string>, Loaded*> programs_;  ///< Of files that were called.
+    std::map<std::pair<const Control*, std::string>, Loaded*> programs_;  ///< Files that were called.
     std::vector<Script> pending_;                                         ///< The last one is loaded first.
     std::optional<Processes::Outcome> outcome_;
     std::map<int, double> permanent_;
     machine::MachineData stored_;
     std::string error_;
     simulation::Place error_place_;
-    simulation::Place last_step_place_;  ///< Where a limit of steps was reached.
+    simulation::Place last_step_place_;  ///< Location at which a step limit was reached.
 };
 
 }  // namespace gsim::script

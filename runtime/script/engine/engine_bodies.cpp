@@ -1,6 +1,5 @@
-// How an Engine runs the functions of scripts that come in pieces. Compiling a line once takes longer than
-// all else that is done for it: lines of plain calls are made to calls right away, and Lua compiles the
-// others.
+// Execution of script functions that come in parts. Compiling a line once takes longer than everything else
+// that is done for it. So lines of plain calls become calls right away, and Lua compiles the others.
 
 #include <algorithm>
 #include <new>
@@ -14,7 +13,7 @@ namespace gsim::script {
 
 namespace {
 
-// On the stack of a body, behind its walk.
+// Index on the stack of a body, after its walk.
 constexpr int kEnvironment = 2;
 constexpr int kFirstKey = 3;  // "a"
 constexpr int kLetters = 26;
@@ -39,14 +38,14 @@ void push_number(lua_State* state, const PlainCall::Number& number) {
     }
 }
 
-/// Pushes what the script sees under this name; whether that is a function.
+/// Pushes what the script sees under this name; returns true if that is a function.
 bool push_word(lua_State* state, std::string_view word) {
     lua_pushlstring(state, word.data(), word.size());
     lua_rawget(state, kEnvironment);
     return lua_isfunction(state, -1);
 }
 
-/// Pushes the values that a call gives; as many as there are.
+/// Pushes the values of a call; returns their number.
 int push_values(lua_State* state, const PlainCall& call) {
     if (call.argument) push_number(state, *call.argument);
     if (!call.has_table) return call.argument ? 1 : 0;
@@ -63,21 +62,21 @@ bool lines_are_watched(lua_State* state) {
     return (lua_gethookmask(state) & LUA_MASKLINE) != 0;
 }
 
-/// Behind a function that has waited for other processes, whose result is the caller's.
+/// Continues after a function that has waited for other processes; its result is the caller's.
 int return_result(lua_State*, int, lua_KContext) {
     return 1;
 }
 
 }  // namespace
 
-/// How far the run of a body has come; the first value on its stack.
+/// Progress of the run of a body; the first value on its stack.
 struct Engine::BodyWalk {
-    LinePosition position;    ///< Of the line that runs now, in the script.
+    LinePosition position;    ///< Position of the current line in the script.
     std::size_t chunk;        ///< The one that runs.
-    std::uint64_t offset;     ///< Of the text: the line that runs.
-    std::size_t calls_begun;  ///< Of that line.
-    bool waited;              ///< It has given way to other processes in this chunk.
-    bool compiled;            ///< The rest of the chunk runs as Lua compiled it.
+    std::uint64_t offset;     ///< Current line, as an offset of the text.
+    std::size_t calls_begun;  ///< Calls of that line.
+    bool waited;              ///< It has yielded to other processes in this chunk.
+    bool compiled;            ///< The remainder of the chunk runs as Lua compiled it.
 
     void begin(const ScriptChunk& chunk_begun) {
         offset = chunk_begun.begin;
@@ -86,7 +85,7 @@ struct Engine::BodyWalk {
     }
 };
 
-/// The body of a function that runs in pieces; upvalues: engine, script, number of the function in it.
+/// Runs the body of a function that comes in parts; upvalues: engine, script, number of the function in it.
 int Engine::function_body(lua_State* state) {
     Engine& engine = bound<Engine>(state);
     auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
@@ -107,7 +106,7 @@ int Engine::function_body(lua_State* state) {
     return engine.run_body(state, walk);
 }
 
-/// A subprogram that is called again, which is worth compiling.
+/// Runs a subprogram that is called again, which is worth compiling.
 int Engine::run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled) {
     if (compiled == LUA_NOREF) {
         compile(state, loaded, chunk);
@@ -118,7 +117,7 @@ int Engine::run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk
     return 1;
 }
 
-/// Goes on with the body of function_body(), whose upvalues the state has.
+/// Continues the body of function_body(), with its upvalues in the state.
 int Engine::run_body(lua_State* state, BodyWalk& walk) {
     auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
     const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
@@ -142,8 +141,8 @@ int Engine::run_body(lua_State* state, BodyWalk& walk) {
     }
 }
 
-/// Runs lines from that of the walk on, up to the end of the chunk or to what is no plain call, where the
-/// walk is then.
+/// Runs lines from that of the walk on, up to the end of the chunk or to one that is no plain call; the walk
+/// is then there.
 void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk) {
     const HeldMemory copy(state, chunk.end - walk.offset, kTextOfScript);
     const auto read = loaded.script.read(walk.offset, chunk.end);
@@ -175,7 +174,7 @@ void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, c
     }
 }
 
-/// Behind a call that has waited for other processes.
+/// Continues after a call that has waited for other processes.
 int Engine::go_on_with_body(lua_State* state, int, lua_KContext) {
     auto& walk = *static_cast<BodyWalk*>(lua_touserdata(state, 1));
     try {

@@ -1,4 +1,4 @@
-// How an Engine loads scripts.
+// Loading of scripts by an Engine.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ Script Script::from_text(std::string text, std::string file_name, std::int64_t l
 
 // --- Scripts ---
 
-/// The place of a file is the same for all robots.
+/// Gives a file the same number for all robots.
 Engine::Loaded& Engine::keep_script(lua_State* state, Script script, Control& control) {
     lua_.hold(state, script.held_bytes, kTextOfScript);
     loaded_.push_back(std::make_unique<Loaded>());
@@ -34,7 +34,7 @@ Engine::Loaded& Engine::keep_script(lua_State* state, Script script, Control& co
     return loaded;
 }
 
-/// Pushes what loads the script: its functions are registered, its other statements run.
+/// Pushes a function that loads the script: registers its functions and runs its other statements.
 void Engine::push_script(lua_State* state, Loaded& loaded) {
     if (loaded.script.functions.empty()) return compile(state, loaded, {0, loaded.script.size, 1});
     lua_pushlightuserdata(state, this);
@@ -42,8 +42,8 @@ void Engine::push_script(lua_State* state, Loaded& loaded) {
     lua_pushcclosure(state, trampoline<register_functions>, 2);
 }
 
-/// Calls what the script would call with each of its functions, `program(12, ...)` say, with one that
-/// compiles its pieces.
+/// Calls what the script would call with each of its functions, such as `program(12, ...)`, with one that
+/// compiles its parts.
 int Engine::register_functions(lua_State* state) {
     auto& engine = bound<Engine>(state);
     auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
@@ -62,14 +62,14 @@ int Engine::register_functions(lua_State* state) {
     return 0;
 }
 
-/// The number of the text that begins here, for places.
+/// Returns the number of the text that begins here, for source locations.
 std::uint32_t Engine::text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line) {
     const auto [found, is_new] = loaded.texts.try_emplace(begin, 0);
     if (is_new) found->second = places_.add({loaded.file, loaded.script.line_difference + line - 1});
     return found->second;
 }
 
-/// Compiles one stretch of a script; the function is left on the stack.
+/// Compiles one section of a script; the function is left on the stack.
 void Engine::compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk) {
     const std::uint32_t text = text_at(loaded, chunk.begin, chunk.line);
     loaded.control->push_environment(state);
@@ -79,7 +79,8 @@ void Engine::compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk)
     load_text(state, *lua, PlaceFinder::chunk_name(text).c_str());
 }
 
-/// core.load_program(number or name): what loads the file of that program, or nil. A file is read once.
+/// core.load_program(number or name): a function that loads the file of that program, or nil. A file is read
+/// once.
 int Engine::load_program(lua_State* state) {
     Engine& engine = bound<Engine>(state);
     auto& control = *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
@@ -97,7 +98,7 @@ int Engine::load_program(lua_State* state) {
     return 1;
 }
 
-/// core.load_module(name): what runs the file of that module; or nil and why there is none.
+/// core.load_module(name): a function that runs the file of that module; or nil and the reason.
 int Engine::load_module(lua_State* state) {
     Engine& engine = bound<Engine>(state);
     auto& control = *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
@@ -125,7 +126,7 @@ int Engine::run_to_end(lua_State* state) {
     return finish_run(state, lua_pcallk(state, 0, 0, 1, 0, finish_run), 0);
 }
 
-/// An error goes on as the end of the run, with what handle_error has noted of it.
+/// Passes an error on as the end of the run, with what handle_error has recorded of it.
 int Engine::finish_run(lua_State* state, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD) return 0;
     LuaState& lua = LuaState::of(state);

@@ -6,7 +6,7 @@ using simulation::AxisVector;
 
 namespace {
 
-/// The key of an axis: its letter in lower case, as a text for the C interface of Lua.
+/// Key of an axis: its letter in lower case, as a text for the C interface of Lua.
 struct AxisKey {
     explicit AxisKey(char letter) : text{static_cast<char>(letter | 0x20), '\0'} {}
     char text[2];

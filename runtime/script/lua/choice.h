@@ -6,8 +6,8 @@
 
 namespace gsim::script {
 
-/// The number, from 0, of the argument among `names`, which end with nullptr; `fallback` (or nullptr) stands
-/// for an argument that is left out. What is none of them raises an error that tells all.
+/// Returns the number, from 0, of the argument among `names`, which end with nullptr; `fallback` (or nullptr)
+/// is used for an omitted argument. Any other argument raises an error that lists all names.
 int check_choice(lua_State* state, int argument, const char* fallback, std::span<const char* const> names);
 
 }  // namespace gsim::script

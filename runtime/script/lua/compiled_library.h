@@ -8,11 +8,11 @@
 
 namespace gsim::script {
 
-/// What files of the library that is built in compile to, for runs that share it: who comes first compiles
-/// for all others. For any number of threads.
+/// Compiled files of the built-in library, for runs that share it: the first user compiles for all others.
+/// For any number of threads.
 class CompiledLibrary {
   public:
-    /// As lua_dump() gave it; null: nobody has compiled this file yet.
+    /// Returns the file as lua_dump() gave it; null: it has not been compiled yet.
     std::shared_ptr<const std::string> find(std::string_view file_name) const;
     void keep(std::string_view file_name, std::string compiled);
 

@@ -55,7 +55,7 @@ AxisValues read_axis_values(lua_State* state) {
     return values;
 }
 
-/// The kind stays as it was: no program changes it.
+/// Keeps the kind, because no program changes it.
 void read_tool(lua_State* state, Tool& tool) {
     luaL_checktype(state, -1, LUA_TTABLE);
     for (const ToolField& field : kToolFields) tool.*field.value = number_field(state, -1, field.name);
@@ -63,7 +63,7 @@ void read_tool(lua_State* state, Tool& tool) {
     tool.offsets = read_axis_values(state);
 }
 
-/// core[name]: a table of points by their numbers, each with the values of axes and perhaps a name.
+/// Sets core[name]: a table of points by their numbers, each with the values of axes and perhaps a name.
 void set_points(lua_State* state, const char* name, const std::map<int, AxisValues>& points,
                 const std::map<int, std::string>& names) {
     lua_newtable(state);

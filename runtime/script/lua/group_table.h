@@ -8,8 +8,9 @@
 
 namespace gsim::script {
 
-/// Where a pose leads groups of axes: {table = {c = 90}} in the table at `index`, by the names of the
-/// machine's groups and letters of their axes, mm or deg. What cannot be is an alarm.
+/// Returns the positions to which a pose leads groups of axes: {table = {c = 90}} in the table at `index`, by
+/// the names of the machine's groups and letters of their axes, mm or deg. An impossible position is an
+/// alarm.
 std::vector<simulation::GroupTarget> check_group_targets(lua_State* state, Interpreter& interpreter,
                                                          int index);
 

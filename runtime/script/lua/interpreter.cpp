@@ -50,7 +50,7 @@ void Interpreter::set_word_factor(int axis, double factor) {
     count_words();
 }
 
-/// Worked out where it changes, since each word of each move is read by it.
+/// Computes this at each change, because each word of each move is read by it.
 void Interpreter::count_words() {
     word_mm_ = word_factors_;
     for (std::size_t i = 0; i < simulator_.machine().axes.size(); ++i) {
@@ -168,8 +168,8 @@ bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::u
     return true;
 }
 
-/// Of several faults that of the first key by its letters is told: Lua's order of keys differs from run to
-/// run.
+/// Reports, of several errors, that of the first key by its letters, because Lua's order of keys differs from
+/// run to run.
 void Interpreter::note_fault(std::string_view key, DiagnosticKind kind, std::string message) {
     if (!word_fault_ || key < word_fault_->key)
         word_fault_ = WordFault{.key = std::string(key), .kind = kind, .message = std::move(message)};
