@@ -50,8 +50,8 @@ Made make(const machine::SphereShape& sphere, double density, const MeshFiles& /
     return round(mass_kg, 0.4 * mass_kg * r * r, 0.4 * mass_kg * r * r);
 }
 
-// Halves of a sphere have their centres 3/8 of the radius from the flat side; about that side's middle they
-// turn as a whole sphere of their mass.
+// The centres of half spheres are 3/8 of the radius from the flat side. They turn about the middle of that
+// side like a full sphere of their mass.
 Made make(const machine::CapsuleShape& capsule, double density, const MeshFiles& files) {
     const double r = capsule.diameter_mm * kMetresPerMm / 2;
     const double h = capsule.height_mm * kMetresPerMm;
@@ -75,7 +75,8 @@ void for_each_triangle(const TriangleMesh& mesh, const Take& take) {
     }
 }
 
-/// A place at which the surface is open: the start of an edge that no triangle has the other way round.
+/// Returns a position at which the surface is open: the start of an edge that no triangle has in the other
+/// direction.
 std::optional<Vector3d> find_open_edge(const TriangleMesh& mesh) {
     using Point = std::array<double, 3>;
     const auto point = [](const Vector3d& v) { return Point{v.x(), v.y(), v.z()}; };
@@ -114,7 +115,7 @@ RigidBody enclosed(const TriangleMesh& mesh, double density) {
         second +=
             det / 120 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     });
-    if (volume < 0) {  // turned inside out as a whole
+    if (volume < 0) {  // the complete mesh is inside out
         volume = -volume;
         first = -first;
         second = -second;

@@ -10,9 +10,9 @@
 
 namespace gsim::cell {
 
-/// The mass of a solid body of even density in the frame of its shape: closed forms, and of a closed mesh the
-/// integrals over what its triangles enclose. Reads the mesh. The error is a sentence that names its file:
-/// what cannot be read, or where its surface is open.
+/// Returns the mass of a solid body of even density in the frame of its shape: closed forms, and for a closed
+/// mesh the integrals over the volume of its triangles. Reads the mesh. The error is a message that names its
+/// file, and what cannot be read or where its surface is open.
 tl::expected<dynamics::RigidBody, std::string> mass_of(const machine::ShapeForm& form, double density_kg_m3,
                                                        const MeshFiles& files = {});
 

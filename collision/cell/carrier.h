@@ -10,8 +10,8 @@
 
 namespace gsim::cell {
 
-/// How a frame goes by itself from a time on: its origin straight and evenly, and the frame turns evenly
-/// about an axis through its origin. All in the frame in which it goes.
+/// Independent motion of a frame from a time on: its origin moves straight and evenly, and the frame turns
+/// evenly about an axis through its origin. All values are in the frame in which it moves.
 struct Drift {
     double from_s = 0;
     rrs::CartPos pose = rrs::CartPos::Identity();  ///< At from_s.
@@ -22,36 +22,35 @@ struct Drift {
     bool moves() const;
 };
 
-/// The motion that leads from one pose to another in that time, the short way round.
+/// Returns the motion from one pose to another in that time, by the shorter rotation.
 Drift drift_between(const rrs::CartPos& from, const rrs::CartPos& to, double from_s, double to_s);
 
-/// The motion of a frame that goes by itself over a run: one drift behind the other. From one to the next it
-/// may jump.
+/// Motion of an independent frame over a run: one drift after the other. It may jump from one to the next.
 class Carrier {
   public:
     explicit Carrier(const rrs::CartPos& pose) : drifts_{Drift{.pose = pose}} {}
 
-    /// From drift.from_s on this one holds; others from there on are dropped.
+    /// Adds a drift, which holds from drift.from_s on; others from there on are dropped.
     void add(const Drift& drift);
     const Drift& drift_at(double time_s) const;
     rrs::CartPos at(double time_s) const;
-    /// The first change behind a time.
+    /// Returns the first change after a time.
     std::optional<double> next_change_s(double time_s) const;
-    /// What was before that time will not be asked for again.
+    /// Drops what was before that time, which will not be queried again.
     void forget_before(double time_s);
 
   private:
     std::deque<Drift> drifts_;  ///< In the order of time, one at least.
 };
 
-/// A frame of a FrameTree that goes by itself in the frame to which it is attached.
+/// Frame of a FrameTree that moves independently in the frame to which it is attached.
 struct CarriedFrame {
     std::size_t frame;
     bool conveyor;  ///< Moved by a conveyor, not by the program.
     Carrier carrier;
 };
 
-/// A link that drifts in another one, in a part of a run without a change.
+/// Link that drifts in another one, in a part of a run without a change.
 struct DriftingLink {
     int parent;          ///< Number of the other link.
     rrs::CartPos mount;  ///< In that link the frame in which it drifts.

@@ -12,31 +12,30 @@
 
 namespace gsim::cell {
 
-/// What a body is to the tool: the jet may cut workpieces, and is there only while it is on.
+/// Role of a body for the tool: the jet may cut workpieces, and exists only while the process is on.
 enum class Role : std::uint8_t { machine, jet, workpiece, fixture };
 
-/// A body of the cell: an object, a part of the machine, or the jet.
+/// Body of the cell: an object, a part of the machine, or the jet.
 struct Item {
     std::string name;
     Role role;
     Shape shape;
-    std::size_t frame;  ///< Of the shape, in the cell's FrameTree.
+    std::size_t frame;  ///< Frame of the shape, in the cell's FrameTree.
 };
 
-/// What stands round a machine, and the shapes of its own parts. Read from a cell file; see
-/// docs/cell-file.md.
+/// Surroundings of a machine, and the shapes of its own parts. Read from a cell file; see docs/cell-file.md.
 struct Cell {
     std::string name = {};
     double clearance_mm = 0;  ///< Bodies that come nearer to each other are reported.
     FrameTree frames;
     std::vector<Item> items = {};
-    /// Frames that go by themselves, in the order of their links.
+    /// Independent frames, in the order of their links.
     std::vector<CarriedFrame> carried = {};
-    std::size_t replaced = 0;  ///< Shapes of the machine file in whose place the cell has others.
+    std::size_t replaced = 0;  ///< Number of shapes of the machine file that the cell replaces.
     /// Pairs of items, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 
-    /// A frame that goes by itself from now on; it stands at first.
+    /// Makes a frame independent from now on; it is at standstill at first.
     void carry(std::size_t frame, bool conveyor) {
         const auto behind = std::find_if(carried.begin(), carried.end(),
                                          [frame](const CarriedFrame& one) { return one.frame > frame; });

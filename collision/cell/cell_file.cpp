@@ -35,7 +35,7 @@ rrs::CartPos read_pose(FirstError& error, const toml::table* table) {
     return machine::frame_pose(machine::read_frame(error, table, "'frame'"));
 }
 
-/// Reads the tables of a cell file into a cell that has the machine's shapes already.
+/// Reader of the tables of a cell file into a cell that has the machine's shapes already.
 class CellReader {
   public:
     CellReader(FirstError& error, std::filesystem::path folder, const MeshFiles& files, Cell cell)
@@ -168,7 +168,7 @@ class CellReader {
     std::map<std::string, std::size_t, std::less<>> items_by_name_;  ///< The first of a name.
 };
 
-/// The places on which a cell's [[shape]]s are, whether or not the tables are right.
+/// Returns the `on` values of a cell's [[shape]]s, even if the tables are not right.
 std::set<std::string, std::less<>> places_of_shapes(const toml::table& root) {
     std::set<std::string, std::less<>> places;
     const toml::array* shapes = root.get_as<toml::array>("shape");
@@ -181,7 +181,7 @@ std::set<std::string, std::less<>> places_of_shapes(const toml::table& root) {
     return places;
 }
 
-/// A cell that has a tool has it in place of the machine file's, and so with the jet.
+/// The tool of a cell replaces that of the machine file, and the same applies to the jet.
 machine::Machine without_replaced(const machine::Machine& machine, const toml::table& root) {
     const auto places = places_of_shapes(root);
     machine::Machine left = machine;

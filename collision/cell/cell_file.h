@@ -13,20 +13,20 @@
 
 namespace gsim::cell {
 
-/// The files that a cell file names; empty where it names none.
+/// Files that a cell file names; empty if it names none.
 struct CellFiles {
     std::filesystem::path machine;
     std::filesystem::path machine_data;
 };
 
-/// What a cell file says of its machine. The error is "file:line:column: sentence", as in all of these.
-/// `file_name` is for that, and for the files that it names, which are looked for in its folder.
+/// Returns what a cell file says of its machine. The error is "file:line:column: message", as in all of
+/// these. `file_name` is for that, and for the files that it names, which are searched in its folder.
 tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name);
 
-/// Reads a cell file (docs/cell-file.md) for a machine, strictly: what it does not know or does not
-/// understand is an error. Reads the meshes that it names, too. `conveyors` are names of frames, in the world
-/// where those stand at 0, to which things may be attached; Cell::carried begins with them. `faults`, where
-/// given, gets all that is wrong, each as an error and the first one first.
+/// Reads a cell file (docs/cell-file.md) for a machine, strictly: unknown or unclear content is an error.
+/// Also reads the meshes that it names. `conveyors` are names of frames to which things may be attached, in
+/// the world at the conveyor position 0; Cell::carried begins with them. `faults`, if given, receives all
+/// errors, the first one first.
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors = {},

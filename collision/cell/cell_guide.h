@@ -6,8 +6,8 @@
 
 namespace gsim::cell {
 
-/// All tables of a cell file, but those of a file of robots that may be in it; their keys are those that the
-/// reader takes, which a test holds.
+/// Returns all tables of a cell file, except those of a file of robots that may be in it. Their keys are
+/// those that the reader accepts, which a test checks.
 std::vector<machine::GuideTable> cell_guide();
 
 }  // namespace gsim::cell

@@ -55,7 +55,7 @@ rrs::CartPos FrameTree::in_link(std::size_t frame) const {
     return pose;
 }
 
-// What is attached to a frame stands behind it.
+// Frames that are attached to a frame come after it.
 void FrameTree::carry(std::size_t frame) {
     frames_[frame].is_link = true;
     int link = machine_links_;

@@ -13,8 +13,8 @@
 namespace gsim::cell {
 
 /// The named frames of a cell, each attached to another one. Those of the machine come first: "world", "base"
-/// (of the joints that carry the tool), a letter for the link behind each axis, "tool" and "work". Of these
-/// "base" alone can be moved, and the machine with it (placed_kinematics()).
+/// (of the joints that carry the tool), a letter for the link after each axis, "tool" and "work". Only "base"
+/// of these can be moved, and the machine with it (placed_kinematics()).
 class FrameTree {
   public:
     explicit FrameTree(const machine::Machine& machine);
@@ -23,27 +23,27 @@ class FrameTree {
     const std::string& name(std::size_t frame) const { return frames_[frame].name; }
     std::size_t base() const { return base_; }
     bool is_of_machine(std::size_t frame) const { return frame < machine_frames_; }
-    /// A frame attached to `parent`, which exists. The name must be new.
+    /// Adds a frame attached to `parent`, which exists. The name must be new.
     std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& in_parent);
 
-    /// Relative to what the frame is attached to (mm).
+    /// Returns the pose relative to the frame to which it is attached (mm).
     const rrs::CartPos& in_parent(std::size_t frame) const { return frames_[frame].in_parent; }
-    /// Moves base(), or a frame that is not the machine's, and with it all that is attached to it.
+    /// Moves base(), or a frame that is not the machine's, and with it everything that is attached to it.
     void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
 
-    /// A frame that is not the machine's goes by itself from now on, and with it what is attached to it, as a
-    /// link of its own. Such links are numbered behind the machine's, in the order of their frames, so that
-    /// each stands behind the one in which it goes.
+    /// Makes a frame that is not the machine's independent from now on, with everything attached to it, as a
+    /// separate link. Such links are numbered after the machine's, in the order of their frames, so that each
+    /// comes after the one in which it moves.
     void carry(std::size_t frame);
-    /// What the frame is attached to.
+    /// Returns the frame to which the frame is attached.
     std::size_t parent(std::size_t frame) const { return frames_[frame].parent; }
 
-    /// The link that the frame moves with, as LinkFrames numbers them.
+    /// Returns the link that the frame moves with, as LinkFrames numbers them.
     int link(std::size_t frame) const { return frames_[frame].link; }
-    /// Relative to that link.
+    /// Returns the pose relative to that link.
     rrs::CartPos in_link(std::size_t frame) const;
     rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const;
-    /// The frames' names, those of the machine first.
+    /// Returns the names of the frames, those of the machine first.
     std::vector<std::string_view> names() const;
 
   private:
@@ -52,10 +52,10 @@ class FrameTree {
         std::size_t parent;
         rrs::CartPos in_parent;
         int link;
-        bool is_link = false;  ///< The frame is where its link is.
+        bool is_link = false;  ///< True if the frame is at its link's pose.
     };
 
-    // Lets names be looked up without making strings of them.
+    // Hash that lets names be looked up without making strings of them.
     struct NameHash {
         using is_transparent = void;
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>()(name); }

@@ -9,26 +9,27 @@
 
 namespace gsim::cell {
 
-/// A body of a machine, or one that it carries.
+/// Body of a machine, or one that it carries.
 struct CarriedBody {
-    std::size_t item;  ///< Of its cell.
+    std::size_t item;  ///< Item of its cell.
     Role role;
     Body body;
-    std::vector<int> joints;  ///< That move it, from its own one back to the world.
+    std::vector<int> joints;  ///< Joints that move it, from its own back to the world.
 };
 
-/// What another machine can meet of a machine: its own bodies, its jet, and what is attached to its links.
-/// Not what stands round it, nor what goes by itself.
+/// Bodies of a machine that another machine can meet: its own bodies, its jet, and what is attached to its
+/// links. Excludes its surroundings, and what moves independently.
 struct MachineBodies {
-    std::shared_ptr<const kinematics::Kinematics> kinematics;  ///< Where it stands in its cell.
+    std::shared_ptr<const kinematics::Kinematics> kinematics;  ///< As positioned in its cell.
     std::vector<CarriedBody> bodies;
 };
 
-/// As the frames of the cell are now; it must outlive them. `machine_kinematics` are those of its file.
+/// Returns the bodies with the current frames of the cell, which must outlive them. `machine_kinematics` are
+/// those of its file.
 MachineBodies machine_bodies(const Cell& cell,
                              const std::shared_ptr<const kinematics::Kinematics>& machine_kinematics);
 
-/// How far the joints reach for these bodies, for joint values in mm and rad.
+/// Returns how far the joints reach for these bodies, for joint values in mm and rad.
 JointReach reach_of(const MachineBodies& machine, const rrs::JointPos& joints);
 
 }  // namespace gsim::cell

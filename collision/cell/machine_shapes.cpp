@@ -43,7 +43,7 @@ tl::expected<Cell, std::string> cell_of_machine(const machine::Machine& machine,
                                               link_shape.name, shape.error()));
         }
         const bool jet = link_shape.on == "jet";
-        // The reader of machine files lets no other names pass.
+        // The reader of machine files rejects other names.
         const std::size_t parent = cell.frames.find(jet ? "tool" : link_shape.on).value();
         const std::size_t frame =
             cell.frames.add(link_shape.name, parent, machine::frame_pose(link_shape.frame));

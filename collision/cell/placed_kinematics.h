@@ -7,8 +7,8 @@
 
 namespace gsim::cell {
 
-/// The joints of a machine where its base stands in a cell: `kinematics` itself where that is where the
-/// machine's file has it; else they have no inverse.
+/// Returns the joints of a machine at the position of its base in a cell. Returns `kinematics` itself if that
+/// is the position in the machine's file; otherwise they have no inverse.
 std::shared_ptr<const kinematics::Kinematics> placed_kinematics(
     std::shared_ptr<const kinematics::Kinematics> kinematics, const FrameTree& frames);
 

@@ -9,10 +9,10 @@ namespace gsim::cell {
 
 namespace {
 
-// A part in which bodies go no farther than this is not halved any more.
+// Motion of the bodies in a part below which it is not halved any more.
 constexpr double kShortest_mm = 1e-3;
 
-// The middle first: what collides does so somewhere, and seldom at the very start.
+// The middle is checked first: a collision is somewhere, and seldom at the very start.
 std::optional<Obstacle> obstacle_of(const MeetingPair& pair, const LinkMotion& motion, const MotionPart& part,
                                     double clearance_mm) {
     const BodyPair& bodies = pair.bodies;

@@ -21,23 +21,23 @@ struct Obstacle {
     Eigen::Vector3d point_mm;  ///< In the world, on the second item.
 };
 
-/// Whether ways that a machine could take lead past the bodies of its cell, asked in any order and with the
-/// jet off. No body is passed over, as in ClearanceWatch; but where a body comes as near as the distance
-/// within a thousandth of a mm it may be told either way.
+/// Check of paths that a machine could take against the bodies of its cell, in any order and with the process
+/// off. No body is missed, as in ClearanceWatch. A body may be reported or not if it comes as near as the
+/// distance within a thousandth of a mm.
 class ClearWay {
   public:
-    /// `cell` and `machine`, for which it was read, must outlive this; its frames stay where they are. The
-    /// error is a sentence: some of them go by themselves.
+    /// Makes the check. `cell` and `machine`, for which it was read, must outlive this; its frames keep their
+    /// positions. The error is a message: some of them move independently.
     static tl::expected<ClearWay, std::string> make(const Cell& cell, const machine::Machine& machine);
 
-    /// Two bodies that come nearer to each other than is asked for, if any do. `distance_mm` is theirs at
-    /// `t_s` since the start of the segment, which need not be where they are nearest.
+    /// Returns two bodies that come nearer to each other than requested, if any do. `distance_mm` is theirs
+    /// at `t_s` since the start of the segment, which need not be the time of the smallest distance.
     std::optional<Obstacle> obstacle(const motion::Segment& segment, double clearance_mm) const;
-    /// The same of a machine that stands.
+    /// Returns the same for a machine at standstill.
     std::optional<Obstacle> obstacle_at(const rrs::JointPos& joints, double clearance_mm) const;
 
     const Cell& cell() const { return *cell_; }
-    /// How many pairs of bodies can meet; the jet's are not among them.
+    /// Returns how many pairs of bodies can meet, without those of the jet.
     std::size_t pair_count() const { return pairs_.size(); }
 
   private:
@@ -46,7 +46,7 @@ class ClearWay {
     const Cell* cell_;
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
     std::vector<MeetingPair> pairs_;
-    mutable std::size_t last_ = 0;  ///< The pair that was in the way last is asked first.
+    mutable std::size_t last_ = 0;  ///< Pair that was the last obstacle; it is checked first.
 };
 
 }  // namespace gsim::cell

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kLeastCutoff_mm = 2 * kContact_mm;
 constexpr int kHollowLooks = 24;
-// Where leeway is sought, for so many motions like this one,
+// Number of motions like this one for which a separation budget is sought,
 constexpr double kMotionsAhead = 64;
-// and at the latest after so many looks.
+// and the max number of checks until it is sought again.
 constexpr int kLongestPause = 64;
 
 }  // namespace
@@ -41,8 +41,8 @@ void ClearanceWatch::make_pairs() {
     make_crowds();
 }
 
-// Each pair goes where more are: many bodies that stand may meet one that moves, or many that move one that
-// stands.
+// Each pair joins the larger of its two clusters: many bodies at standstill may meet one that moves, or many
+// that move one at standstill.
 void ClearanceWatch::make_crowds() {
     using Key = std::tuple<std::size_t, int, bool>;  // an item, a link, with the jet
     const auto by_first = [](const Watched& pair) {
@@ -75,7 +75,7 @@ void ClearanceWatch::make_crowds() {
     for (Crowd& crowd : crowds_) forget_distances(crowd);
 }
 
-/// How far what is from what is not known any more.
+/// The distances of the cluster's pairs are no longer known.
 void ClearanceWatch::forget_distances(Crowd& crowd) {
     crowd.gone_mm = 0;
     std::vector<Due> all;
@@ -130,15 +130,15 @@ bool ClearanceWatch::is_far(const motion::Segment& segment, bool jet_on) {
     return jet_on == leeway_with_jet_ && leeway_.take(travel_of(segment, 0, segment.duration_s));
 }
 
-/// What has gone on far from everything counts for all pairs.
+/// Motion that stayed far from everything counts for all pairs.
 void ClearanceWatch::go_on_far() {
     const double gone_mm = leeway_.release_gone_mm();
     leeway_.clear();
     for (Crowd& crowd : crowds_) crowd.gone_mm += gone_mm;
 }
 
-/// Next to something there is none, which is found out the more seldom the longer it is so. What goes by
-/// itself is not counted.
+/// No separation budget exists next to something, which is checked the more seldom the longer it lasts.
+/// Independent motion is not counted.
 bool ClearanceWatch::seeks_leeway() {
     if (!cell_.carried.empty() || leeway_pause_-- > 0) return false;
     leeway_pause_ = next_pause_;
@@ -146,7 +146,7 @@ bool ClearanceWatch::seeks_leeway() {
     return true;
 }
 
-/// How far all may go after a stretch before one of the pairs is due.
+/// Sets how far all may move after a stretch before one of the pairs is due.
 void ClearanceWatch::find_leeway(const MotionPart& stretch, bool jet_on) {
     const double near_mm = std::max(cell_.clearance_mm, kLeastCutoff_mm);
     double slack_mm = std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ void ClearanceWatch::take_stretch(const SegmentMotion& motion, const MotionPart&
     if (seeks) find_leeway(stretch, jet_on);
 }
 
-/// Takes the pairs that may come near in a stretch out of their crowds.
+/// Takes the pairs that may come near in a stretch out of their clusters.
 void ClearanceWatch::collect_due(const MotionPart& stretch, bool jet_on, bool early) {
     due_.clear();
     double longest_mm = 0;
@@ -213,12 +213,12 @@ void ClearanceWatch::collect_due(Crowd& crowd) {
     }
 }
 
-/// As near as something has to be to count.
+/// Returns the distance below which something counts.
 double ClearanceWatch::cutoff_mm() const {
     return std::max(nearest_ ? nearest_->distance_mm : cell_.clearance_mm, kLeastCutoff_mm);
 }
 
-/// Where links that go by themselves next go otherwise, or the segment ends.
+/// Returns the time at which independent links next change their motion, or the segment ends.
 double ClearanceWatch::stretch_end_s(const motion::Segment& segment, double from_s) const {
     double end_s = segment.duration_s;
     for (const CarriedFrame& carried : cell_.carried) {
@@ -229,7 +229,7 @@ double ClearanceWatch::stretch_end_s(const motion::Segment& segment, double from
     return end_s;
 }
 
-/// What goes otherwise than before may have jumped: distances are not known then.
+/// A link that changes its motion may have jumped: distances are not known then.
 std::vector<DriftingLink> ClearanceWatch::drifting(double time_s) {
     std::vector<DriftingLink> links;
     std::vector<double> since_s;
@@ -273,8 +273,8 @@ void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole,
     if (nearness.lower_mm >= near_mm) look_ahead(whole, pair);
 }
 
-/// At the end of a part: how far a pair that is not near may go until it has to be looked at, as far as that
-/// is sought.
+/// Sets, at the end of a part, how far a pair that is not near may move until it has to be checked, as far as
+/// that is sought.
 void ClearanceWatch::look_ahead(const MotionPart& whole, Watched& pair) const {
     if (!(early_mm_ > 0) || pair.at_least_mm >= cutoff_mm() + early_mm_) return;
     pair.at_least_mm = std::max(pair.at_least_mm, pair.bodies.boxes_apart_mm(whole.to));
@@ -290,7 +290,7 @@ void ClearanceWatch::note(const Nearness& nearness, const Watched& pair, const S
     if (within_s) nearest_->t_s = motion.segment().start_s + *within_s;
 }
 
-/// Whether how near a pair comes in a part is the probe's business.
+/// True if a pair may come near in a part because of the probe.
 bool ClearanceWatch::is_let_near(const MotionPart& whole, Watched& pair) const {
     if (!pair.by_probe || !(probing_ || pair.probed)) return false;
     const double clearance_mm = std::max(cell_.clearance_mm, kLeastCutoff_mm);
@@ -308,7 +308,7 @@ void ClearanceWatch::begin_contact(const SegmentMotion& motion, const MotionPart
     go_on_in_contact(motion, whole, pair, touch->t_s);
 }
 
-// Of bodies that touched before the probing began it is not known how they stand to each other.
+// The relative position of bodies that touched before the probing began is not known.
 void ClearanceWatch::probe_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
     const auto touch = pair.bodies.first_touch(motion, whole);
     if (!touch || !touch->normal) return;
@@ -337,7 +337,7 @@ void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart
             pair.bodies.second.in_world(whole.to).inverse() * pair.bodies.first.in_world(whole.to);
         const double out_mm = (pose * touched.on_first_mm - touched.on_second_mm).dot(touched.normal);
         touched.depth_mm = std::max(touched.depth_mm, -out_mm);
-        // In a hollow the way along the surface goes deeper, too.
+        // The path along the surface also runs deeper in a hollow.
         for (int look = 0; look < kHollowLooks; ++look) {
             if (!pair.bodies.overlaps(whole.to, touched.normal, touched.depth_mm)) break;
             touched.depth_mm = 2 * touched.depth_mm + kContact_mm;
@@ -345,7 +345,7 @@ void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart
     }
 }
 
-// In a contact the distance tells no more; whether it goes deeper does, and whether it has ended.
+// The distance is meaningless during a contact. So this checks if it becomes deeper, and if it has ended.
 void ClearanceWatch::go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair,
                                       double from_s) {
     Contact& contact = contacts_[*pair.contact];

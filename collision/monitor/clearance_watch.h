@@ -14,9 +14,9 @@
 
 namespace gsim::cell {
 
-/// Two bodies begin to touch. One that is touched all the time is told once.
+/// Start of a contact of two bodies. A continuous contact is reported once.
 struct Contact {
-    double t_s;  ///< Of the run's clock, to 1e-9 s.
+    double t_s;  ///< Time on the run's clock, to 1e-9 s.
     ItemPair pair;
     Eigen::Vector3d point_mm;  ///< In the world.
     bool penetrating;          ///< By more than 1e-5 mm, before they part; else they only touch.
@@ -30,45 +30,45 @@ struct Clearance {
     std::optional<double> t_s = {};  ///< When, of the run's clock; with keep_times() alone.
 };
 
-/// Looks at a machine's motion through a cell, segment by segment: which bodies touch, and how near they
-/// come. No contact is passed over, however thin the body and fast the motion: distances are those of whole
-/// ways, by bounds of how far the way bends (conservative advancement: B. Mirtich, 1996).
+/// Monitor of a machine's motion through a cell, segment by segment: bodies that touch, and how near they
+/// come. No contact is missed, however thin the body and fast the motion: distances are those of full paths,
+/// by bounds of their curvature (conservative advancement: B. Mirtich, 1996).
 ///
-/// What a probe touches (probes()) while it probes is no contact, nor are the braking behind it and the way
-/// out; a later move that goes deeper is one, from its start on. How near the probe comes to what it may
-/// touch counts again once it has been as far as the cell's clearance.
+/// A touch of a probe (probes()) while it probes is no contact, nor are the braking after it and the
+/// retraction. A later move that presses deeper is one, from its start on. The distance of the probe from
+/// what it may touch counts again once it has been as far as the cell's clearance.
 class ClearanceWatch {
   public:
-    /// `cell` must outlive this; it was read for this machine.
+    /// Makes a monitor. `cell` must outlive this; it was read for this machine.
     ClearanceWatch(const Cell& cell, const machine::Machine& machine);
 
-    /// Frames of the cell, or the machine's base, have been moved, or go by themselves from now on: what
-    /// touches then counts as another contact.
+    /// Notes that frames of the cell, or the machine's base, have been moved, or move independently from now
+    /// on. A touch after that counts as another contact.
     void frames_changed();
-    /// When that time is used up nothing is looked at any longer. Null: never. `cpu` outlives this.
+    /// Ends all checks after that time is used up. Null: never. `cpu` outlives this.
     void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
-    /// From now on it is known when the smallest distance of a block is, which takes a search for each.
+    /// Finds from now on the time of the smallest distance of a block, which takes a search for each.
     void keep_times() { keeps_times_ = true; }
-    /// The segments that follow belong to another block.
+    /// Starts another block with the segments that follow.
     void begin_block() { nearest_.reset(); }
-    /// The next segment, with or without the jet; `probing`: of a motion that ends where the probe touches,
-    /// or ceases to.
+    /// Checks the next segment, with the process on or off. `probing`: it belongs to a motion that ends when
+    /// the probe touches, or ceases to.
     void take(const motion::Segment& segment, bool jet_on, bool probing = false);
 
-    /// How many pairs can meet.
+    /// Returns how many pairs can meet.
     std::size_t pair_count() const { return pairs_.size(); }
-    /// All so far, in the order of segments; within one they may stand in any order.
+    /// Returns all contacts so far, in the order of segments; within one they may be in any order.
     const std::vector<Contact>& contacts() const { return contacts_; }
-    /// The smallest distance of the block so far, where it is below the cell's clearance.
+    /// Returns the smallest distance of the block so far, if it is below the cell's clearance.
     const std::optional<Clearance>& nearest() const { return nearest_; }
 
   private:
-    /// A contact that a probe was to make.
+    /// Contact that a probe was to make.
     struct Touched {
         Eigen::Vector3d normal;        ///< Out of the second body, in its frame.
-        Eigen::Vector3d on_first_mm;   ///< Where the first one was touched, in its frame,
-        Eigen::Vector3d on_second_mm;  ///< and the second one in its own.
-        double depth_mm = 0;           ///< How far the first went on along the normal.
+        Eigen::Vector3d on_first_mm;   ///< Touch point on the first one, in its frame,
+        Eigen::Vector3d on_second_mm;  ///< and on the second one in its own.
+        double depth_mm = 0;           ///< Distance that the first moved on along the normal.
     };
     struct Watched : MeetingPair {
         bool by_probe = false;                              ///< One of them is the probe.
@@ -80,15 +80,15 @@ class ClearanceWatch {
         std::size_t crowd = 0;                          ///< In crowds_.
         std::size_t looked = 0;                         ///< The stretch in which it was last looked at.
     };
-    /// A distance and a pair that comes no nearer before its crowd has gone so far.
+    /// Distance, and a pair that comes no nearer before its pair cluster has moved so far.
     struct Due {
         double at_mm;
         std::size_t pair;
 
         bool operator>(const Due& other) const { return at_mm > other.at_mm; }
     };
-    /// Pairs of one body with all on one link: how far they go against each other has one bound, so that
-    /// those that are far are not touched from segment to segment.
+    /// Pair cluster: pairs of one body with all on one link. One bound covers how far they move against each
+    /// other, so that far pairs need no work from segment to segment.
     struct Crowd {
         Body body;
         std::vector<int> between;  ///< From the body's link on.
@@ -96,7 +96,7 @@ class ClearanceWatch {
         bool is_off = false;       ///< They wait for the jet.
         std::vector<std::size_t> pairs = {};
         double gone_mm = 0;
-        double way_mm = 0;  ///< Of that, in the stretch that is looked at.
+        double way_mm = 0;  ///< Part of that in the checked stretch.
         std::priority_queue<Due, std::vector<Due>, std::greater<>> due = {};
     };
 
@@ -127,8 +127,8 @@ class ClearanceWatch {
 
     const Cell& cell_;
     std::shared_ptr<const kinematics::Kinematics> machine_kinematics_;
-    std::shared_ptr<const kinematics::Kinematics> kinematics_;  ///< Where the machine stands now.
-    std::vector<int> parents_;                                  ///< Of links that go by themselves.
+    std::shared_ptr<const kinematics::Kinematics> kinematics_;  ///< Machine at its current position.
+    std::vector<int> parents_;                                  ///< Parents of independent links.
     std::vector<double> drifts_since_s_;                        ///< For those links, in the previous stretch.
     std::vector<Watched> pairs_;
     std::vector<Crowd> crowds_;

@@ -75,14 +75,14 @@ std::shared_ptr<const OrientationArc> orientation_part(const Segment& segment, d
     return std::make_shared<const OrientationArc>(way.part(from * scale, to * scale));
 }
 
-/// Where the lead stays and followers alone move, there is no arc.
+/// The part has no arc if the leading law does not move and only followers do.
 void set_arc_part(const Arc& arc, double from_mm, double to_mm, Segment& segment) {
     const std::optional<Arc> part = arc_part(arc, from_mm, to_mm);
     segment.kind = part ? SegmentKind::circular : SegmentKind::linear;
     if (part) segment.arc = *part;
 }
 
-/// The part of a segment that begins at `from` and goes by `laws`; `last`: to the very end.
+/// Returns the part of a segment that begins at `from` and runs by `laws`; `last`: to the very end.
 Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, bool last) {
     Segment part = segment;
     part.clear_followers();
@@ -115,7 +115,7 @@ Laws until(const Segment& segment, double t_s) {
     return laws;
 }
 
-/// All laws brake from `t_s` on; those that stand first wait for the others.
+/// All laws brake from `t_s` on; those that stop first wait for the others.
 Laws braking(const Segment& segment, double t_s) {
     Laws laws{braking_law(segment.lead, t_s, segment.lead_limits), {}, 0, segment.lead.at(t_s).v};
     laws.duration_s = laws.lead.duration_s();
@@ -138,7 +138,7 @@ LawLimits no_faster(LawLimits limits, const TimeLaw& law) {
     return limits;
 }
 
-/// What the rest of a segment still has to do, as laws from rest to rest.
+/// Returns the remaining motion of a segment, as laws from standstill to standstill.
 Laws rest_laws(const Segment& segment, const Progress& from) {
     const Progress end = progress_at_end(segment);
     const double lead = std::max(end.lead - from.lead, 0.0);
@@ -165,8 +165,8 @@ Laws rest_laws(const Segment& segment, const Progress& from) {
     return laws;
 }
 
-/// The rest of a segment, from rest. Where the segment was to be passed with a speed, it is planned to end
-/// with it for now.
+/// Returns the remainder of a segment, from standstill. It is planned for now to end with the speed with
+/// which the segment was to be passed, if any.
 Segment rest_of(const Segment& segment, const Progress& from) {
     Laws laws = rest_laws(segment, from);
     const double exit = segment.lead.end_speed();
@@ -180,7 +180,7 @@ Segment rest_of(const Segment& segment, const Progress& from) {
     return part_of(segment, from, laws, true);
 }
 
-/// Whether a part that goes on from `from` by `laws` comes to the end of its segment.
+/// True if a part that continues from `from` by `laws` reaches the end of its segment.
 bool reaches_end(const Segment& segment, const Progress& from, const Laws& laws) {
     const auto reaches = [](double done, double law, double whole) {
         return whole - done - law <= kNoShareOfWay * whole;
@@ -192,13 +192,13 @@ bool reaches_end(const Segment& segment, const Progress& from, const Laws& laws)
     return reaches(from.lead, laws.lead.length(), segment.lead.length());
 }
 
-/// The speed at the end of a part; rounding is none.
+/// Returns the speed at the end of a part; a speed within rounding is 0.
 double exit_speed(const Laws& laws, const TimeLaw& planned) {
     const double speed = std::min(laws.end_speed, planned.end_speed());
     return speed > kNoShareOfSpeed * planned.peak_speed() ? speed : 0;
 }
 
-/// The laws by which a whole segment is passed that is entered at a lower speed than planned.
+/// Returns the laws for passing a full segment that is entered at a lower speed than planned.
 Laws braking_through(const Segment& segment, double start_speed) {
     Laws laws;
     laws.lead =
@@ -220,7 +220,7 @@ void stop_rest(std::vector<Segment>& planned, double at_s, StoppedMotion& stoppe
     stopped.rest = std::move(planned);
 }
 
-/// Follows the plan while it brakes.
+/// Planned motion that is followed while it brakes.
 class Brakes {
   public:
     Brakes(std::vector<Segment> planned, const rrs::JointPos& acceleration)
@@ -238,7 +238,7 @@ class Brakes {
     std::vector<Segment> planned_;
     const rrs::JointPos& acceleration_;
     double clock_s_;
-    double rate_ = 1;  ///< Of the planned speed, where the last segment that was passed ends.
+    double rate_ = 1;  ///< Share of the planned speed at the end of the last passed segment.
     StoppedMotion stopped_;
 };
 
@@ -265,7 +265,7 @@ void Brakes::put(std::vector<Segment>& list, Segment segment) {
     if (segment.duration_s > 0) list.push_back(std::move(segment));
 }
 
-/// Whether the segment that is under way for `t_s` is braked beyond its end.
+/// Returns true if the segment that has been active for `t_s` is braked beyond its end.
 bool Brakes::pass_first(double t_s) {
     const Segment& first = planned_.front();
     if (first.beside) {
@@ -311,13 +311,13 @@ void Brakes::leave_from(std::size_t index) {
                          std::make_move_iterator(planned_.end()));
 }
 
-/// What the speed at the end of a segment is of the one with which the next one was planned to start.
+/// Returns the ratio of the speed at the end of a segment to the planned start speed of the next one.
 double entry_rate(double speed, const Segment& next) {
     const double planned = next.lead.start_speed();
     return speed < planned * (1 - kAsPlanned) ? speed / planned : 1;
 }
 
-/// Plans a segment without a motion beside it to start at a lower speed than planned.
+/// Plans a segment without a superimposed motion to start at a lower speed than planned.
 void start_slower(double speed, Segment& segment) {
     const LawLimits limits = no_faster(segment.lead_limits, segment.lead);
     const double length = segment.lead.length();

@@ -13,7 +13,7 @@ namespace {
 
 using rrs::JointPos;
 
-// Within these no product below overflows or vanishes; nothing in a workshop comes near them.
+// No product below overflows or vanishes within these limits; no value in a workshop comes near them.
 constexpr double kLeastValue = 1e-100;
 constexpr double kMostValue = 1e100;
 constexpr double kMostShare = 1e50;
@@ -32,15 +32,15 @@ bool usable(const JointPos& values, Eigen::Index joint) {
     return joint < values.size() && std::abs(values[joint]) <= kMostShare;
 }
 
-// The most that |f| can enclose over `length` when it goes from f0 to f1 with slopes up to `slope`: a roof
-// over its ends.
+// Returns the largest area that |f| can enclose over `length` if it changes from f0 to f1 with slopes up to
+// `slope`: a roof over its ends.
 double most_travel(double length, double f0, double f1, double slope) {
     const double rise = slope * length;
     const double peak = std::max(0.0, (squared(rise) - squared(f1 - f0)) / (4 * slope));
     return length * ((f0 + f1) / 2) + peak;
 }
 
-// -down <= q2 y + q1 a <= up, where y is the square of the path's speed and a its acceleration; q1 >= 0.
+// Band -down <= q2 y + q1 a <= up: y is the square of the path speed and a its acceleration; q1 >= 0.
 struct Band {
     double q2;
     double q1;
@@ -48,8 +48,8 @@ struct Band {
     double down;
 };
 
-// The highest y for which some a keeps both bands: where the upper edge of one meets the lower edge of the
-// other.
+// Returns the highest y for which some a keeps both bands: the upper edge of one meets the lower edge of the
+// other there.
 double meeting_speed2(const Band& one, const Band& other) {
     const double apart = one.q2 * other.q1 - other.q2 * one.q1;
     const double room =
@@ -125,16 +125,16 @@ void TimeBound::add_curve(const Curve& curve, const PathCaps& caps) {
     }
 }
 
-// Why a cell errs to the low side. Each of these holds for every law that keeps the limits:
-// - at the nodes, the caps of node_speed2(), which are what the limits say at that place;
+// A cell errs to the low side, because each of these holds for every law that keeps the limits:
+// - at the nodes, the caps of node_speed2(), which are the limits at that position;
 // - from node to node, with the joint's speed u = q1 v: d(u^2)/ds = 2 u (du/dt) / v = 2 q1 (du/dt), so that
-// u^2
-//   changes by no more than 2 max_acceleration times what the joint travels, wherever it goes and turns;
+//   u^2 changes by no more than 2 max_acceleration times what the joint travels, wherever it moves and turns;
 // - the time of the cell is not less than that of any one joint (and of the path) that covers its distance
-//   alone, as fast as speeds at the nodes and its limits let it.
-// The passes take the highest speeds at the nodes that these allow. All of them are of the form "no more than
-// a rising function of the speed at the node beside", and times fall as speeds rise, so no law beats the sum.
-// Neither q1 nor q2 is interpolated. As cells shrink the second becomes |q2 v^2 + q1 a| <= max_acceleration.
+//   alone, as fast as speeds at the nodes and its limits allow.
+// The passes take the highest speeds at the nodes that these allow. All of them have the form "no more than a
+// rising function of the speed at the neighbouring node", and times fall as speeds rise, so no law beats the
+// sum. Neither q1 nor q2 is interpolated. The second becomes |q2 v^2 + q1 a| <= max_acceleration as cells
+// shrink.
 void TimeBound::add_cell(double length, const CurvePoint& start, const CurvePoint& end, const Curve& curve,
                          const Reach& path) {
     std::size_t count = 0;
@@ -146,8 +146,8 @@ void TimeBound::add_cell(double length, const CurvePoint& start, const CurvePoin
     add_piece({length, path, 0, count}, node_speed2(start, path), node_speed2(end, path));
 }
 
-// Of a joint that cannot turn back in the cell the way is known exactly: q1 = 0 at some place would make
-// |q1| at the ends no more than max_q2 times their distances to it.
+// The distance of a joint that cannot turn back in the cell is known exactly: q1 = 0 at some position would
+// make |q1| at the ends no more than max_q2 times their distances to it.
 bool TimeBound::add_joint_cell(Eigen::Index joint, double length, const CurvePoint& start,
                                const CurvePoint& end, double max_q2) {
     for (const JointPos* values : {&start.q, &start.q1, &end.q, &end.q1}) {
@@ -226,8 +226,9 @@ void TimeBound::go_back(Backward& pass, std::size_t first) const {
     }
 }
 
-// The time of the trapezoid between speeds of which the squares are start2 and end2 at most. The three ways
-// add up to `length` exactly, so that a split that suffers from cancellation does not harm the time.
+// Returns the time of the trapezoid between speeds with squares of at most start2 and end2. The three
+// distances add up to `length` exactly, so that a split that suffers from cancellation does not harm the
+// time.
 double TimeBound::least_s(double length, double start2, double end2, const Reach& reach) {
     const double up = reach.acceleration;
     const double down = reach.deceleration;
@@ -251,9 +252,9 @@ void TimeBound::settle_all(double end2) {
     joints_.clear();
 }
 
-// A stop that may yet come can lower the speeds behind it only as far as braking from the caps reaches. In
-// the common case that is less than the newer half, and the older half is right for good. Otherwise the
-// newest end is taken at its highest speed, which no continuation passes: still a lower bound.
+// A later stop can lower the speeds before it only as far as braking from the caps reaches. That is commonly
+// less than the newer half, and the older half is final. Otherwise the newest end is taken at its highest
+// speed, which no continuation exceeds: still a lower bound.
 void TimeBound::settle_older_half() {
     const std::size_t half = pieces_.size() / 2;
     Backward pass = at_front(front_speed2_);

@@ -14,16 +14,16 @@ namespace gsim::motion {
 namespace {
 
 constexpr double kNoTime_s = 1e-12;
-constexpr double kNoWay = 1e-12;            // mm or rad; rounding would tell its direction
+constexpr double kNoWay = 1e-12;            // mm or rad; rounding would set its direction
 constexpr double kStandstillSpeed = 1e-9;   // mm/s or rad/s
-constexpr double kOffWay = 1e-6;            // mm or rad, between the ends of pieces
-constexpr double kPiecesPerRate = 16;       // the least in which the rate goes from 0 to 1
+constexpr double kOffWay = 1e-6;            // mm or rad, between the ends of parts
+constexpr double kPiecesPerRate = 16;       // the minimum in which the rate rises from 0 to 1
 constexpr double kInside = 1e-6;            // share of a stretch: accelerations jump at its ends
 constexpr int kSamples = 8;                 // of a stretch of the plan between bends of its laws
 constexpr double kNoMore = 1 - 1e-9;        // of a rate that is as good as reached
 constexpr double kShareOfSpeedingUp = 0.5;  // of the joints' accelerations
 
-/// A stretch of the plan, and the rates at its ends; the rate is linear in the clock's time.
+/// Stretch of the plan, and the rates at its ends; the rate is linear in the clock's time.
 struct PacedStretch {
     double from_s;
     double to_s;
@@ -31,7 +31,7 @@ struct PacedStretch {
     double end_rate;
 
     double duration_s() const { return 2 * (to_s - from_s) / (rate + end_rate); }
-    /// In the plan, after a share of the duration.
+    /// Returns the time in the plan, after a share of the duration.
     double at_s(double share) const {
         return from_s + share * duration_s() * (rate + share * (end_rate - rate) / 2);
     }
@@ -43,7 +43,7 @@ TimeLaw rest_for(double duration_s) {
     return TimeLaw::of_pieces({&piece, 1});
 }
 
-/// One of the two motions between two instants of the plan, by a law of its own.
+/// Returns one of the two motions between two instants of the plan, by its own law.
 Segment motion_part(const Segment& motion, double from_s, double to_s, const TimeLaw& law) {
     Segment part = motion;
     part.beside.reset();
@@ -81,7 +81,7 @@ Segment both_parts(const Segment& blend, double from_s, double to_s, const TimeL
     return part;
 }
 
-/// The piece of constant jerk that goes from one state to another one in a time.
+/// Returns the part of constant jerk that leads from one state to another one in a time.
 LawPiece piece_between(const LawState& from, const LawState& to, double duration_s) {
     const double speed_gain = to.v - from.v;
     const double way = to.s - from.s - from.v * duration_s;
@@ -89,7 +89,7 @@ LawPiece piece_between(const LawState& from, const LawState& to, double duration
     return {duration_s, from.s, from.v, speed_gain / duration_s - jerk * duration_s / 2, jerk};
 }
 
-/// Pieces `first` to `last` of `count` equal times of the stretch.
+/// Returns the parts `first` to `last` of `count` equal times of the stretch.
 TimeLaw paced_law(const TimeLaw& law, const PacedStretch& stretch, int first, int last, int count) {
     const auto paced = [&](int index) {
         const double share = static_cast<double>(index) / count;
@@ -115,9 +115,9 @@ double jerk_at(const TimeLaw& law, double t_s) {
     return 0;
 }
 
-/// A law s(t) of acceleration a and jerk j, run through at a rate r that changes by q in the clock's time,
-/// has the fourth derivative 3 a q^2 + 6 j r^2 q. Over h the piece that meets both ends is off by at most
-/// h^4/384 of that. Where speeds are not below 0, a h^2 is at most twice the way, or six times where a grows
+/// A law s(t) of acceleration a and jerk j, run at a rate r that changes by q in the clock's time, has the
+/// fourth derivative 3 a q^2 + 6 j r^2 q. The part over h that meets both ends is off by at most h^4/384 of
+/// that. The value a h^2 is at most twice the distance if speeds are not below 0, or six times if a grows
 /// from 0.
 int piece_count(const Segment& blend, const PacedStretch& stretch) {
     const auto way = [&](const TimeLaw& law) { return law.at(stretch.to_s).s - law.at(stretch.from_s).s; };
@@ -148,7 +148,7 @@ void put(const Segment& blend, const PacedStretch& stretch, BlendPace& pace) {
     }
 }
 
-/// Instants of the plan behind `from_s` at which the acceleration of a motion jumps, and the end.
+/// Returns the instants of the plan after `from_s` at which the acceleration of a motion jumps, and the end.
 std::vector<double> bends(const Segment& blend, double from_s) {
     std::vector<double> instants;
     for (const TimeLaw* law : {&blend.lead, &blend.beside->lead}) {
@@ -163,7 +163,7 @@ std::vector<double> bends(const Segment& blend, double from_s) {
     return instants;
 }
 
-/// What the plan asks of the joints on a stretch.
+/// Requirements of the plan on the joints in a stretch.
 struct Demand {
     Eigen::ArrayXd speed;         ///< Greatest.
     Eigen::ArrayXd acceleration;  ///< Greatest, up or down.
@@ -189,7 +189,7 @@ Demand demand_of(const Segment& blend, double from_s, double to_s) {
     return demand;
 }
 
-/// How fast the rate may change (1/s) where the plan takes `taken` of the joints' accelerations.
+/// Returns how fast the rate may change (1/s) if the plan takes `taken` of the joints' accelerations.
 double rate_change(const Demand& demand, const Eigen::ArrayXd& taken, const rrs::JointPos& acceleration) {
     double change = std::numeric_limits<double>::infinity();
     for (Eigen::Index joint = 0; joint < taken.size(); ++joint) {
@@ -200,7 +200,7 @@ double rate_change(const Demand& demand, const Eigen::ArrayXd& taken, const rrs:
     return change;
 }
 
-/// The highest rate at which the plan leaves room for speeding up.
+/// Returns the highest rate at which the plan leaves acceleration for speeding up.
 double rate_to_reach(const Demand& demand, const rrs::JointPos& acceleration) {
     double square = 1;
     for (Eigen::Index joint = 0; joint < demand.acceleration.size(); ++joint) {

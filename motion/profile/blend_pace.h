@@ -7,31 +7,32 @@
 
 namespace gsim::motion {
 
-// A segment with a motion beside it keeps its way while it slows down or speeds up: both motions run through
-// their plans at one rate, which is 1 at the planned pace and 0 at rest. Where the rate changes, a law of
-// time is met by pieces of constant jerk: exact at their ends, off the way by some 1e-6 mm between them.
+// A segment with a superimposed motion keeps its path while it slows down or speeds up. Both motions run
+// through their plans at one rate, which is 1 at the planned speed and 0 at standstill. A time law with a
+// changing rate is replaced by parts of constant jerk: exact at their ends, off the path by some 1e-6 mm
+// between them.
 
-/// A blend at another pace than planned.
+/// Blend at another rate than planned.
 struct BlendPace {
-    std::vector<Segment> parts;  ///< In order, their start_s yet to be told.
-    double until_s = 0;          ///< Where the last part ends in the blend's plan.
+    std::vector<Segment> parts;  ///< In order, their start_s still to be set.
+    double until_s = 0;          ///< End of the last part in the blend's plan.
     double rate = 0;             ///< There.
 };
 
-/// From `from_s` of the blend's plan at `rate` > 0, slowing down as hard as the joints can beside what the
-/// plan takes of their `acceleration` (mm/s2 or rad/s2), to rest or to the blend's end. A joint that the plan
-/// takes beyond that has what the plan takes. A joint that brakes as hard by the plan as it can is not braked
-/// harder, so that a blend may have to be passed as planned.
+/// Slows down from `from_s` of the blend's plan at `rate` > 0, to standstill or to the blend's end. The
+/// joints brake as hard as they can in addition to what the plan takes of their `acceleration` (mm/s2 or
+/// rad/s2). A joint that the plan takes beyond that has what the plan takes. A joint that brakes as hard by
+/// the plan as it can is not braked harder, so a blend may have to be passed as planned.
 BlendPace slow_down(const Segment& blend, double from_s, double rate, const rrs::JointPos& acceleration);
 
-/// From the start of the blend at `rate`, 0 for rest, speeding up to its end: to the planned pace, or less
-/// where the plan takes more than half of the `acceleration`, of which the other half is for gaining speed.
+/// Speeds up from the start of the blend at `rate`, 0 for standstill, to its end. It reaches the planned
+/// rate, or less if the plan takes more than half of the `acceleration`. The other half is for gaining speed.
 BlendPace speed_up(const Segment& blend, double rate, const rrs::JointPos& acceleration);
 
-/// What lies between two instants of the blend's plan, as planned.
+/// Returns the part between two instants of the blend's plan, as planned.
 Segment blend_part(const Segment& blend, double from_s, double to_s);
 
-/// Whether both motions stand at an instant of the blend's plan.
+/// True if both motions are at standstill at an instant of the blend's plan.
 bool stands(const Segment& blend, double at_s);
 
 }  // namespace gsim::motion

@@ -8,8 +8,9 @@ namespace gsim::motion {
 
 namespace {
 
-/// phi_k(-x) for k = 1, 2, 3 and x >= 0, with phi_0(z) = exp(z), phi_k+1(z) = (phi_k(z) - 1/k!) / z: what an
-/// exponential decay leaves of an input that grows as t^(k-1), after a time of x time constants.
+/// Returns phi_k(-x) for k = 1, 2, 3 and x >= 0, with phi_0(z) = exp(z), phi_k+1(z) = (phi_k(z) - 1/k!) / z.
+/// This is what an exponential decay leaves of an input that grows as t^(k-1), after a time of x time
+/// constants.
 std::array<double, 3> phi(double x) {
     constexpr double kSeriesBelow = 0.5;  // the recursion would cancel
     if (x < kSeriesBelow) {
@@ -48,7 +49,7 @@ Segment& FollowingError::begin(rrs::TargetId id) {
     return *open_;
 }
 
-/// What comes between two segments is a rest. Of two motions at once the lags add.
+/// The time between two segments is a dwell. The lags of two simultaneous motions add up.
 void FollowingError::finish() {
     const double gain_1_s = controller_.position_gain_1_s;
     if (gain_1_s > 0) {

@@ -4,17 +4,18 @@
 
 namespace gsim::motion {
 
-/// The lag of a position loop of first order behind its set point, e' = v - gain e, after a law that it began
-/// with `lag` (mm or rad, as the law). `gain_1_s` > 0.
+/// Returns the lag of a first-order position loop relative to its set point, e' = v - gain e, after a law
+/// that it began with `lag` (mm or rad, as the law). `gain_1_s` > 0.
 double lag_after(const TimeLaw& law, double lag, double gain_1_s);
 
-/// The output of a model that follows how far a machine lags behind the segments that pass through.
+/// Output of a model that tracks how far a machine lags relative to the segments that pass through.
 ///
-/// The lag is that along the way. Of joints it is their share of it, exactly on straight ways; behind corners
-/// and curves, where what is left of one direction is counted for the other, no joint's is more than that.
+/// The lag is that along the path. The lag of a joint is its share of that, exactly on straight paths. The
+/// remainder of one direction counts for the other after corners and curves, and no joint's lag is more than
+/// that.
 class FollowingError final : public SegmentOutput {
   public:
-    /// Both must outlive this. Without a gain nothing lags.
+    /// Both must outlive this. The lag is 0 without a gain.
     FollowingError(const rrs::ControllerRules& controller, SegmentOutput& output)
         : controller_(controller), output_(output) {}
 
@@ -23,7 +24,7 @@ class FollowingError final : public SegmentOutput {
     double time_s() const override { return output_.time_s(); }
     void clear() { lag_ = 0; }
 
-    /// Behind the last segment, mm or rad as its way.
+    /// Returns the lag after the last segment, mm or rad as its path.
     double lag() const { return lag_; }
 
   private:
@@ -31,7 +32,7 @@ class FollowingError final : public SegmentOutput {
     SegmentOutput& output_;
     Segment* open_ = nullptr;
     double lag_ = 0;
-    double end_s_ = 0;  ///< Of the last segment.
+    double end_s_ = 0;  ///< End of the last segment.
 };
 
 }  // namespace gsim::motion

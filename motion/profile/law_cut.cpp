@@ -13,7 +13,7 @@ namespace {
 constexpr double kLengthRounding = 1e-12;
 constexpr double kNoAcceleration = 1e-9;  // relative to the ramp's
 
-/// Collects pieces one behind the other.
+/// Collector of law parts, one after the other.
 class Pieces {
   public:
     void add(double duration_s, double v0, double a0, double jerk) {
@@ -33,7 +33,7 @@ class Pieces {
     double s_ = 0;
 };
 
-/// What is left of a piece behind its first `t_s`.
+/// Returns the remainder of a part after its first `t_s`.
 LawPiece rest_of_piece(const LawPiece& piece, double t_s) {
     return {piece.duration_s - t_s, 0, piece.v0 + t_s * (piece.a0 + t_s * piece.jerk / 2),
             piece.a0 + t_s * piece.jerk, piece.jerk};
@@ -43,7 +43,7 @@ double end_speed(const LawPiece& piece) {
     return std::max(rest_of_piece(piece, piece.duration_s).v0, 0.0);
 }
 
-/// The pieces of the ramp under way from `t_s` on, until the acceleration is 0; returns the speed there.
+/// Adds the parts of the active ramp from `t_s` on, until the acceleration is 0; returns the speed there.
 double finish_ramp(const TimeLaw& law, double t_s, Pieces& pieces) {
     double speed = law.at(t_s).v;
     for (const LawPiece& piece : law.pieces()) {
@@ -63,7 +63,7 @@ double finish_ramp(const TimeLaw& law, double t_s, Pieces& pieces) {
     return speed;
 }
 
-/// Takes the acceleration at an instant to 0 and returns the speed that is left.
+/// Takes the acceleration at an instant to 0 and returns the remaining speed.
 double end_acceleration(const TimeLaw& law, double t_s, const LawLimits& limits, Pieces& pieces) {
     const LawState state = law.at(t_s);
     if (std::isinf(limits.jerk)) return state.v;
@@ -73,9 +73,9 @@ double end_acceleration(const TimeLaw& law, double t_s, const LawLimits& limits,
     return state.v + state.a * duration_s / 2;
 }
 
-/// The lowest speed at the end of `length`, where it is too short for a stop: lengths of ramps down grow with
-/// the change up to two thirds of the speed, or, where they hold their acceleration, up to
-/// acceleration^2 / (2 jerk) above rest.
+/// Returns the lowest speed at the end of `length`, if it is too short for a stop. Lengths of ramps down grow
+/// with the change up to two thirds of the speed, or, if they hold their acceleration, up to acceleration^2 /
+/// (2 jerk) above standstill.
 double lowest_end_speed(double length, double speed, const LawLimits& limits) {
     double low = std::min(speed / 3, limits.deceleration * limits.deceleration / (2 * limits.jerk));
     double high = speed;

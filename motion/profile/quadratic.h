@@ -8,7 +8,8 @@ inline double squared(double value) {
     return value * value;
 }
 
-/// The root x >= 0 of x^2 + b x = c, for b and c >= 0, in the form without cancellation; infinite if c is.
+/// Returns the root x >= 0 of x^2 + b x = c, for b and c >= 0, in the form without cancellation; infinite if
+/// c is.
 inline double positive_root(double b, double c) {
     if (std::isinf(c)) return c;
     const double twice = b + std::sqrt(b * b + 4 * c);

@@ -10,8 +10,8 @@ namespace gsim::motion {
 
 namespace {
 
-// The root x = sqrt(gain) of x^3 + 2 from x = length sqrt(jerk), by Cardano. The root is cube - p / cube with
-// p = 2 from / 3; this form of the difference has no cancellation.
+// Finds the root x = sqrt(gain) of x^3 + 2 from x = length sqrt(jerk), by Cardano. The root is cube - p /
+// cube with p = 2 from / 3; this form of the difference has no cancellation.
 double short_ramp_gain(double length, double from_speed, double jerk) {
     const double half = length * std::sqrt(jerk) / 2;
     const double p = 2 * from_speed / 3;
@@ -54,7 +54,7 @@ double ramp_gain(double length, double from_speed, double acceleration, double j
     if (!(length > 0)) return 0;
     if (std::isinf(jerk)) return positive_root(2 * from_speed, 2 * acceleration * length);
     const double jerk_s = acceleration / jerk;
-    const double short_gain = acceleration * jerk_s;  // the most without a phase of constant acceleration
+    const double short_gain = acceleration * jerk_s;  // the maximum without a phase of constant acceleration
     if (!(length > (2 * from_speed + short_gain) * jerk_s)) return short_ramp_gain(length, from_speed, jerk);
     return positive_root(2 * from_speed + short_gain, 2 * (acceleration * length - from_speed * short_gain));
 }
@@ -62,14 +62,14 @@ double ramp_gain(double length, double from_speed, double acceleration, double j
 double ramp_end_speed(double length, double from_speed, double acceleration, double jerk) {
     const double gain = ramp_gain(length, from_speed, acceleration, jerk);
     const double speed = from_speed + gain;
-    // Beside a high speed a small gain may be rounded up by much of itself.
+    // A small gain on a high speed may be rounded up by much of itself.
     if (!(speed - from_speed > gain)) return speed;
     return std::max(speed * (1 - std::numeric_limits<double>::epsilon()), from_speed);
 }
 
-// Ends of ramps fall with the start up to a certain start and grow from there. At that start the end is the
-// triple of it in a short ramp, and the start is acceleration^2 / (2 jerk) in one with constant acceleration;
-// the lesser of both is the one that holds.
+// Ends of ramps fall with the start up to a certain start and grow from there. The end is three times the
+// start at that start in a short ramp. The start is acceleration^2 / (2 jerk) in a ramp with constant
+// acceleration. The lesser of both is the one that holds.
 double reachable_speed(double length, double from_speed, double acceleration, double jerk) {
     if (std::isinf(jerk) || !(length > 0)) return ramp_end_speed(length, from_speed, acceleration, jerk);
     const double turn =

@@ -5,8 +5,8 @@
 
 namespace gsim::motion {
 
-/// What a program has selected for speeding up and slowing down; it lowers what the machine's joints may do,
-/// and infinite ramps put it out of force.
+/// Ramps that a program has selected for speeding up and slowing down. They lower what the machine's joints
+/// may do; infinite ramps deactivate them.
 struct ProgrammedRamps {
     explicit ProgrammedRamps(int joint_count);
 
@@ -18,8 +18,8 @@ struct ProgrammedRamps {
     rrs::JointPos& of(rrs::RampLimit limit);
 };
 
-/// Puts ramps in force: sets the limits of joints and path in `setup`, and whether it limits the jerk, to
-/// those of `machine` as the ramps lower them.
+/// Activates ramps: sets the limits of joints and path in `setup`, and the flag for its jerk limit, to those
+/// of `machine` as the ramps lower them.
 void put_in_force(const ProgrammedRamps& ramps, const PlannerSetup& machine, PlannerSetup& setup);
 
 }  // namespace gsim::motion

@@ -6,7 +6,7 @@ namespace gsim::motion {
 
 namespace {
 
-/// Straight ramps that are the same both ways have shorter formulas.
+/// Straight ramps that are the same in both directions have shorter formulas.
 bool is_trapezoid(const LawLimits& limits) {
     return std::isinf(limits.jerk) && limits.acceleration == limits.deceleration;
 }

@@ -10,8 +10,8 @@ namespace gsim::motion {
 
 namespace {
 
-// A length that exceeds the direct ramp's by less is taken for it: the caller's rounding, not a wish to speed
-// up.
+// Ratio up to which a length counts as that of the direct ramp: a smaller excess is the caller's rounding,
+// not a request to speed up.
 constexpr double kSameLength = 1 + 1e-12;
 constexpr int kMaxRootSteps = 60;
 
@@ -21,7 +21,7 @@ struct End {
     double acceleration;
 };
 
-// The fast end and the slow one; the order in time does not matter for lengths.
+// Fast end and slow end; the order in time does not matter for lengths.
 struct Ends {
     End fast;
     End slow;
@@ -29,7 +29,7 @@ struct Ends {
 
     double gap() const { return fast.speed - slow.speed; }
     double direct_length() const { return ramp_length_by(slow.speed, gap(), slow.acceleration, jerk); }
-    /// Of both ramps, if the peak is `excess` above the fast end.
+    /// Returns the length of both ramps, if the peak is `excess` above the fast end.
     double length(double excess) const {
         return ramp_length_by(fast.speed, excess, fast.acceleration, jerk) +
                ramp_length_by(slow.speed, gap() + excess, slow.acceleration, jerk);
@@ -41,8 +41,8 @@ double trapezoid_excess(double length, const Ends& ends) {
     return positive_root(2 * ends.fast.speed, 2 * (length - ends.direct_length()) / slowness);
 }
 
-// Each formula holds in the range of peaks where its ramps have the phases it assumes; they are tried from
-// low peaks to high ones.
+// Each formula holds in the range of peaks for which its ramps have the assumed phases. The formulas are
+// tried from low peaks to high ones.
 double rest_to_rest_peak(double length, double acceleration, double deceleration, double jerk) {
     const auto [low, high] = std::minmax(acceleration, deceleration);
     const double short_root = std::cbrt(length * std::sqrt(jerk) / 2);
@@ -61,16 +61,16 @@ struct LengthAt {
     double slope;
 };
 
-// The length of the ramp between an end and a peak x^2 above the fast end, and its derivative by x.
+// Returns the length of the ramp between an end and a peak x^2 above the fast end, and its derivative by x.
 LengthAt length_at(double x, double gap, const End& end, double jerk) {
     const double change = gap + x * x;
     const RampPhases ramp = ramp_phases(change, end.acceleration, jerk);
     const double mean_speed = end.speed + change / 2;
-    // The time of a ramp grows with its change by 1 / (highest acceleration), whatever its phases.
+    // The time of a ramp grows with its change by 1 / (highest acceleration), for any of its phases.
     return {mean_speed * ramp.duration_s(), x * ramp.duration_s() + 2 * mean_speed * (x / ramp.acceleration)};
 }
 
-// Each ramp alone must fit: bounds of x from above.
+// Each ramp alone must fit, which bounds x from above.
 double highest_root(double length, const Ends& ends) {
     const double by_fast = std::sqrt(
         ramp_gain(length - ends.direct_length(), ends.fast.speed, ends.fast.acceleration, ends.jerk));
@@ -78,9 +78,10 @@ double highest_root(double length, const Ends& ends) {
     return by_slow > 0 ? std::min(by_fast, std::sqrt(by_slow)) : by_fast;
 }
 
-// Newton's method for x = sqrt(excess). The length is convex and increasing in x, since each ramp's is a
-// polynomial with positive coefficients in x or in sqrt(gap + x^2), joined with a continuous slope. So the
-// steps come down from above and never pass the root: the first that does not come down is rounding.
+// Newton's method finds x = sqrt(excess). The length is convex and increasing in x, because each ramp's
+// length is a polynomial with positive coefficients in x or in sqrt(gap + x^2), joined with a continuous
+// slope. So the steps come down from above and never pass the root: the first that does not come down is
+// rounding.
 double s_curve_excess(double length, const Ends& ends) {
     double x = highest_root(length, ends);
     for (int i = 0; i < kMaxRootSteps && x > 0; ++i) {
@@ -93,14 +94,14 @@ double s_curve_excess(double length, const Ends& ends) {
     return x * x;
 }
 
-// How far above the fast end the speed gets if nothing caps it.
+// Returns how far above the fast end the speed gets without a cap.
 double excess(double length, const Ends& ends) {
     if (std::isinf(ends.jerk)) return trapezoid_excess(length, ends);
     if (ends.fast.speed > 0) return s_curve_excess(length, ends);
     return rest_to_rest_peak(length, ends.fast.acceleration, ends.slow.acceleration, ends.jerk);
 }
 
-// Up to a peak of at most `cap` and down again.
+// Ramps up to a peak of at most `cap` and down again.
 SpeedShape peaked_shape(double length, double start, double end, double cap, const LawLimits& limits) {
     const End first{start, limits.acceleration};
     const End last{end, limits.deceleration};
@@ -119,8 +120,9 @@ SpeedShape peaked_shape(double length, double start, double end, double cap, con
             cruise_length};
 }
 
-// How far the first of two braking ramps goes down, where the length is too short to brake to the cap and
-// again to the end, but longer than braking in one. Bisection for sqrt(drop), since lengths are smooth in it.
+// Returns how far the first of two braking ramps drops. The length is too short to brake to the cap and again
+// to the end, but longer than braking in one. Uses bisection for sqrt(drop), because lengths are smooth in
+// it.
 double split_drop(double length, double start, double end, double most, const LawLimits& limits) {
     const auto braking_length = [&](double drop) {
         return ramp_length_by(start - drop, drop, limits.deceleration, limits.jerk) +
@@ -135,7 +137,7 @@ double split_drop(double length, double start, double end, double most, const La
     return high * high;
 }
 
-// From a start above the cap: down to the cap, along it, and down to the end.
+// Handles a start above the cap: down to the cap, along it, and down to the end.
 SpeedShape braking_shape(double length, double start, double end, double cap, const LawLimits& limits) {
     const double drop = start - cap;
     const double rest = length - ramp_length_by(cap, drop, limits.deceleration, limits.jerk) -

@@ -8,9 +8,10 @@ namespace gsim::motion {
 namespace {
 
 constexpr double kSeconds = 60;
-constexpr float kLeast_mm_min = 1e-3F;  // nothing is driven more slowly
+constexpr float kLeast_mm_min = 1e-3F;  // lowest speed that is driven
 
-/// `way_mm` in `time_min` from `speed_mm_min` on with one acceleration, or evenly where that would run back.
+/// Returns the part that covers `way_mm` in `time_min` from `speed_mm_min` on with one acceleration, or
+/// evenly if that would run back.
 LawPiece piece_of(double way_mm, double time_min, double speed_mm_min) {
     const double time_s = time_min * kSeconds;
     const double mean_mm_s = way_mm / time_s;
@@ -37,7 +38,7 @@ double SteppedRamps::mean_acceleration_s(double speed, double acceleration, doub
     return mean / (kSeconds * kSeconds);
 }
 
-/// Where the ramps begin and end, by the mean acceleration.
+/// Plans the start and end of the ramps by the mean acceleration.
 void SteppedRamps::plan(const SteppedBlock& block) {
     const float way_of_square = 0.5F / block.mean_acceleration_mm_min2;
     const float entry = block.entry_mm_min * block.entry_mm_min;
@@ -78,7 +79,7 @@ void SteppedRamps::drive(const SteppedBlock& block, const std::function<void(con
     while (left_mm_ > 0) take_step(block, take);
 }
 
-/// One step of time, or less at the end of the block.
+/// Runs one step of time, or less at the end of the block.
 void SteppedRamps::take_step(const SteppedBlock& block,
                              const std::function<void(const SteppedPiece&)>& take) {
     const float step_from_mm = left_mm_;
@@ -113,7 +114,7 @@ void SteppedRamps::change_acceleration(const SteppedBlock& block, float time_min
                           : std::max(acceleration_ - change, change);
 }
 
-/// What is left is too long for a step of time to count in it, with 32 bits: it is gone in one piece.
+/// The remainder is too long for a step of time to change it in 32 bits, so it is run in one part.
 void SteppedRamps::finish_evenly(const SteppedBlock& block,
                                  const std::function<void(const SteppedPiece&)>& take) {
     const float speed = std::max({speed_mm_min_, block.exit_mm_min, kLeast_mm_min});

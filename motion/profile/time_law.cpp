@@ -22,9 +22,9 @@ double peak_speed_of(const LawPiece& piece) {
     return std::max(ends, state_at(piece, turn_s).v);
 }
 
-// The cruise speed of a motion from rest to rest in a given time. Newton's method for the lower root of
-// length + speed (time of both ramps) / 2 = speed duration, whose left side is convex: from below, the steps
-// never pass the root, and the first one that gains nothing is rounding.
+// Returns the cruise speed of a motion from standstill to standstill in a given time. Newton's method finds
+// the lower root of length + speed (time of both ramps) / 2 = speed duration, which has a convex left side.
+// The steps from below never pass the root, and the first one without gain is rounding.
 double cruise_speed(double length, double duration_s, const LawLimits& limits) {
     constexpr int kMaxIterations = 60;
     double speed = length / duration_s;
@@ -61,9 +61,8 @@ TimeLaw TimeLaw::fastest(double length, double max_speed, double max_acceleratio
 }
 
 // The cruise speed v solves length = v duration - v^2 / acceleration; this form of the root has no
-// cancellation. Where the root is nearly double (a triangle) rounding may lift v by the square root of an
-// epsilon, but then the length depends on v only in the second order, so holding it to max_speed costs
-// nothing.
+// cancellation. Rounding may lift v by the square root of an epsilon if the root is nearly double (a
+// triangle). The length then depends on v only in the second order, so holding it to max_speed costs nothing.
 TimeLaw TimeLaw::in_time(double length, double duration_s, double max_acceleration, double max_speed) {
     if (!(duration_s > 0)) return {length, 0, 0, max_acceleration};
     const double square = 1 - 4 * length / max_acceleration / (duration_s * duration_s);
@@ -98,7 +97,7 @@ TimeLaw TimeLaw::between(double length, double start_speed, double end_speed, co
     if (!(length > 0)) return law;
     law.length_ = length;
     const SpeedShape shape = fastest_shape(length, start_speed, end_speed, limits);
-    if (!std::isfinite(shape.cruise_speed)) return law;  // nothing is limited
+    if (!std::isfinite(shape.cruise_speed)) return law;  // no limit applies
     law.peak_speed_ = std::max(law.peak_speed_, shape.cruise_speed);
     double s = 0;
     law.add_ramp(start_speed, shape.first_change, shape.cruise_speed, limits, s);
@@ -125,8 +124,8 @@ TimeLaw TimeLaw::of_pieces(std::span<const LawPiece> pieces) {
     return law;
 }
 
-// From `s` on, which it moves on. Speeds are counted from that end of the ramp which is nearer, so that both
-// are met without rounding.
+// Adds a ramp from `s` on, and moves `s` on. Speeds are counted from the nearer end of the ramp, so that both
+// ends are met without rounding.
 void TimeLaw::add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits,
                        double& s) {
     const double sign = change < 0 ? -1 : 1;
@@ -143,7 +142,7 @@ void TimeLaw::add_ramp(double from_speed, double change, double to_speed, const 
     s += ramp.jerk_s * (to_speed - bend / 3);
 }
 
-// Pieces that reach `reached` are made to reach length_ by running time faster or slower, the speeds kept.
+// Makes parts that reach `reached` reach length_ by running time faster or slower; the speeds are kept.
 void TimeLaw::fit_length(double reached) {
     if (!(reached > 0)) {  // not of valid limits and speeds
         count_ = 0;
@@ -160,7 +159,7 @@ void TimeLaw::fit_length(double reached) {
     }
 }
 
-// Runs time faster or slower, the length kept.
+// Runs time faster or slower; the length is kept.
 void TimeLaw::take(double duration_s) {
     if (!(duration_s_ > 0)) return;
     const double factor = duration_s / duration_s_;
@@ -199,7 +198,7 @@ LawState TimeLaw::at(double t_s) const {
     const bool over = t_s >= duration_s_;
     while (index + 1 < count_ && (over || t > pieces_[index].duration_s)) t -= pieces_[index++].duration_s;
     const LawPiece& piece = pieces_[index];
-    // Counted from the end, the last piece comes to rest exactly, however long the others are.
+    // The last part is counted from the end, so that it stops exactly, however long the others are.
     if (index + 1 == count_) t = piece.duration_s - (duration_s_ - t_s);
     t = std::clamp(t, 0.0, piece.duration_s);
     const LawState state = state_at(piece, t);

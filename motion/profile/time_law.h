@@ -9,14 +9,14 @@
 
 namespace gsim::motion {
 
-/// Where a motion is on its path at an instant: distance, speed, acceleration along it (mm or rad, s).
+/// State of a motion on its path at an instant: distance, speed, acceleration along it (mm or rad, s).
 struct LawState {
     double s = 0;
     double v = 0;
     double a = 0;
 };
 
-/// One polynomial piece of a time law: s(t) = s0 + v0 t + a0 t^2/2 + j t^3/6 for t in [0, duration_s].
+/// One polynomial part of a time law: s(t) = s0 + v0 t + a0 t^2/2 + j t^3/6 for t in [0, duration_s].
 struct LawPiece {
     double duration_s;
     double s0;
@@ -25,61 +25,61 @@ struct LawPiece {
     double jerk;
 };
 
-/// A path length as a function of time, made of polynomial pieces, so that it can be evaluated at any instant
-/// and its duration comes from no sampling. Lengths are mm or rad, as the caller has it.
+/// Path length as a function of time, made of polynomial parts. It can be evaluated at any instant, and its
+/// duration does not come from sampling. Lengths are mm or rad, as the caller chooses.
 class TimeLaw {
   public:
-    /// The law that stays at 0: length 0, duration 0.
+    /// Makes the law that stays at 0: length 0, duration 0.
     TimeLaw() = default;
 
-    /// Rest to rest over `length` >= 0 in the least time: trapezoid, or triangle where `max_speed` is not
-    /// reached. Equal acceleration and deceleration phases (thesis 5.3.2.1). Limits must be > 0; infinite
-    /// acceleration gives the rectangle.
+    /// Returns the law from standstill to standstill over `length` >= 0 in the least time: trapezoid, or
+    /// triangle if `max_speed` is not reached. Acceleration and deceleration phases are equal (thesis
+    /// 5.3.2.1). Limits must be > 0; infinite acceleration gives the rectangle.
     static TimeLaw fastest(double length, double max_speed, double max_acceleration);
 
-    /// The duration of fastest(), without the law.
+    /// Returns the duration of fastest(), without the law.
     static double fastest_s(double length, double max_speed, double max_acceleration);
 
-    /// Rest to rest over `length` in exactly `duration_s`, with ramps of `max_acceleration` and the cruise
-    /// speed that results. `duration_s` must not be less than that of fastest(length, max_speed,
-    /// max_acceleration); a shortfall within rounding is taken as equal. `max_speed` only keeps rounding from
-    /// passing that speed.
+    /// Returns the law from standstill to standstill over `length` in exactly `duration_s`, with ramps of
+    /// `max_acceleration` and the resulting cruise speed. `duration_s` must not be less than that of
+    /// fastest(length, max_speed, max_acceleration); a shortfall within rounding is taken as equal.
+    /// `max_speed` only keeps rounding from passing that speed.
     static TimeLaw in_time(double length, double duration_s, double max_acceleration,
                            double max_speed = std::numeric_limits<double>::infinity());
 
-    /// Rest to rest over `length` > 0 in exactly `duration_s`, with the ramps of `limits` and the cruise
-    /// speed that results. `duration_s` must not be less than that of between(length, 0, 0, limits); a
-    /// shortfall within rounding is taken as equal.
+    /// Returns the law from standstill to standstill over `length` > 0 in exactly `duration_s`, with the
+    /// ramps of `limits` and the resulting cruise speed. `duration_s` must not be less than that of
+    /// between(length, 0, 0, limits); a shortfall within rounding is taken as equal.
     static TimeLaw in_time(double length, double duration_s, const LawLimits& limits);
 
-    /// The least time over `length` >= 0 from start_speed to end_speed, both >= 0, with acceleration 0 at
-    /// both ends where the jerk is finite. A start_speed above max_speed is braked first, with the
-    /// deceleration. The length must suffice for the ramp between both speeds (reachable_speed()). A
-    /// shortfall is made up for by doing that ramp in less time, speeds as they are: one of rounding costs
-    /// the limits no more than rounding. No length takes no time, whatever the speeds.
+    /// Returns the law of least time over `length` >= 0 from start_speed to end_speed, both >= 0, with
+    /// acceleration 0 at both ends if the jerk is finite. A start_speed above max_speed is braked first, with
+    /// the deceleration. The length must suffice for the ramp between both speeds (reachable_speed()). A
+    /// shortfall is compensated by doing that ramp in less time, with the speeds unchanged: one of rounding
+    /// costs the limits no more than rounding. A path without length takes no time, for any speeds.
     static TimeLaw between(double length, double start_speed, double end_speed, const LawLimits& limits);
 
-    /// The law made of `pieces`, at most kMaxPieces of them. They must begin at s0 = 0, each where the one
-    /// before it ends, and must not run backwards. Pieces without duration are left out.
+    /// Returns the law made of `pieces`, at most kMaxPieces of them. They must begin at s0 = 0, each at the
+    /// end of the one before it, and must not run backwards. Parts without duration are left out.
     static TimeLaw of_pieces(std::span<const LawPiece> pieces);
 
     static constexpr std::size_t kMaxPieces =
-        9;  ///< Two jerk-limited ramps, a cruise and a rest at each end.
+        9;  ///< Two jerk-limited ramps, a cruise and a dwell at each end.
 
     double length() const { return length_; }
     double duration_s() const { return duration_s_; }
-    /// The highest speed of the law.
+    /// Returns the highest speed of the law.
     double peak_speed() const { return peak_speed_; }
-    /// The highest acceleration or deceleration of the law, not counting jumps of the speed.
+    /// Returns the highest acceleration or deceleration of the law, not counting jumps of the speed.
     double peak_acceleration() const;
-    /// The speeds that the law comes from and goes to. Where nothing limits the acceleration the speed jumps
-    /// at the ends, and at() has the one inside.
+    /// Returns the speed with which the law starts, or ends. The speed jumps at the ends if the acceleration
+    /// is unlimited, and at() returns the one inside.
     double start_speed() const { return start_speed_; }
     double end_speed() const { return end_speed_; }
-    /// Whether the speed jumps at an end, since nothing limits the acceleration.
+    /// True if the speed jumps at an end, because the acceleration is unlimited.
     bool jumps() const;
     std::span<const LawPiece> pieces() const { return {pieces_.data(), count_}; }
-    /// The state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
+    /// Returns the state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
     LawState at(double t_s) const;
 
   private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPast_s = -std::numeric_limits<double>::infinity();
 
-/// When a segment has gone `way_mm`, by bisection: laws never run back.
+/// Returns the time at which a segment has covered `way_mm`, by bisection: laws never run back.
 double time_at_way(const Segment& segment, double way_mm) {
     if (segment.joints_go_apart()) return segment.start_s + apart_time_s(segment, way_mm);
     const double way = way_mm * segment.lead.length() / segment.length_mm;
@@ -24,7 +24,8 @@ double time_at_way(const Segment& segment, double way_mm) {
     return segment.start_s + high;
 }
 
-/// Index of the segment that ends at the target, if it is known. A dwell behind it has the same id.
+/// Returns the index of the segment that ends at the target, if it is known. A dwell after it has the same
+/// id.
 std::optional<std::size_t> end_of(rrs::TargetId target, const SegmentQueue& queue) {
     for (std::size_t i = 0; i < queue.size(); ++i) {
         if (queue[i].target_id == target && queue[i].reaches_target) return i;
@@ -41,7 +42,7 @@ std::optional<double> time_behind(double way_mm, std::size_t index, const Segmen
     return std::nullopt;
 }
 
-/// Back from the end of a segment.
+/// Counts back from the end of a segment.
 double time_before(double way_mm, std::size_t index, const SegmentQueue& queue) {
     for (std::size_t i = index + 1; i-- > 0;) {
         const Segment& segment = queue[i];

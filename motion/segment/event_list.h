@@ -9,48 +9,48 @@
 
 namespace gsim::motion {
 
-/// How far from reaching its target an event comes true; negative: before.
+/// Distance between reaching the target and the event; negative: before.
 struct EventOffset {
     enum class Measure { time_s, way_mm } measure = Measure::time_s;
     double value = 0;
 };
 
-/// Events that a client has defined, and those that came true in the last step.
+/// Events that a client has defined, and those that occurred in the last step.
 class EventList {
   public:
     struct CameTrue {
         int id;
-        double time_s;  ///< Since the start of the step; negative where that long before it.
+        double time_s;  ///< Time since the start of the step; negative if it was before that.
     };
 
-    /// In place of an event of the same id.
+    /// Defines an event, which replaces one with the same id.
     void define(int id, rrs::TargetId target, EventOffset offset);
-    /// False where there is no such event that has yet to come true.
+    /// Cancels an event. Returns false if no such event is pending.
     bool cancel(int id);
     void clear();
 
-    /// The time until which no event can come true but those that are known, where there are events before
-    /// targets that are `held`. `end_s` is the end of the queue.
+    /// Returns the time until which only known events can occur, if events before targets that are `held`
+    /// exist. `end_s` is the end of the queue.
     std::optional<double> known_until_s(const HeldTargets& held, const SegmentQueue& queue,
                                         double end_s) const;
-    /// Finds what comes true in a step of the clock; `queue` has the segments that are under way in it and
-    /// those behind, as far as they are known. What came true before the step but was not known then keeps
-    /// its time; where that is not known any more either it is the step's start.
+    /// Finds the events that occur in a step of the clock. `queue` has the segments that are active in it and
+    /// those after, as far as they are known. An event that occurred before the step but was not known then
+    /// keeps its time. It has the step's start if its time is not known any more either.
     void step(double from_s, double to_s, const SegmentQueue& queue);
-    /// The front segment is about to leave the queue.
+    /// Notes that the front segment is about to leave the queue.
     void leave(const SegmentQueue& queue);
-    /// A target that had no motion of its own is reached with another one, or at a time.
+    /// Notes that a target without its own motion is reached with another one, or at a time.
     void join(rrs::TargetId target, rrs::TargetId with);
     void reach(rrs::TargetId target, double at_s);
 
-    /// In the last step, in the order of time.
+    /// Returns the events of the last step, in the order of time.
     const std::vector<CameTrue>& came_true() const { return came_true_; }
 
   private:
     struct Event {
         int id;
         rrs::TargetId target;
-        EventOffset offset;  ///< A way behind a target that has been reached: what is left of it.
+        EventOffset offset;               ///< A distance after a target that has been reached: its remainder.
         std::optional<double> reached_s;  ///< When its target was reached, if its motion has left the queue.
         std::optional<double> at_s;       ///< When it came true, if that has left the queue.
     };

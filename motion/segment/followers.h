@@ -9,19 +9,19 @@
 
 namespace gsim::motion {
 
-/// The joints that move beside a lead path, each by ramps of its own within its own limits.
+/// Joints that move outside a leading path, each by its own ramps within its own limits.
 class Followers {
   public:
-    /// All moving joints but those of the role that leads, and of `orientation` where it is not null: these
-    /// go with the lead.
+    /// Takes all moving joints except those of the role that leads, and of `orientation` if it is not null:
+    /// these move with the lead.
     Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes, JointRole lead,
               const OrientationArc* orientation);
 
-    /// The least time in which all of them can do their way.
+    /// Returns the least time in which all of them can cover their paths.
     double fastest_s() const { return fastest_s_; }
-    /// What limits the slowest of them.
+    /// Returns the limit of the slowest of them.
     LimitedBy slowest() const { return slowest_; }
-    /// Gives them to the segment, stretched to `duration_s` >= fastest_s().
+    /// Writes them to the segment, stretched to `duration_s` >= fastest_s().
     void write(Segment& segment, double duration_s) const;
 
   private:
@@ -40,19 +40,19 @@ class Followers {
     LimitedBy slowest_;
 };
 
-/// What the limits of a joint allow it.
+/// Returns what the limits of a joint allow it.
 LawLimits law_limits(const PlannerSetup& setup, int joint);
 
-/// The same of a joint beside the tool's path: the programmed speed and acceleration of orientation reach
-/// each rotary joint in its share of the change of orientation.
+/// Returns the same for a joint outside the tool path: the programmed speed and acceleration of orientation
+/// apply to each rotary joint by its share of the change of orientation.
 LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                         int joint);
 
-/// Whether a joint moves beside the tool's path: it is none of those of the role that leads, nor of
-/// `orientation` where that is not null, which go with the lead.
+/// True if a joint moves outside the tool path: it is not one of the role that leads, nor of `orientation` if
+/// that is not null, which move with the lead.
 bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint);
 
-/// What keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
+/// Returns what keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
 LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
                         const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit);
 

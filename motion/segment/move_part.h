@@ -7,21 +7,21 @@
 
 namespace gsim::motion {
 
-// Where the operator turns an override a motion is cut there and goes on by another law.
+// An override change by the operator cuts a motion, which then continues by another law.
 
-inline constexpr double kLeastPart = 1e-6;  ///< mm or rad: nothing is cut so near to its ends.
-inline constexpr double kNoSpeed = 1e-9;    ///< mm/s or rad/s: what is as slow stands.
+inline constexpr double kLeastPart = 1e-6;  ///< mm or rad: no cut is so near to the ends.
+inline constexpr double kNoSpeed = 1e-9;    ///< mm/s or rad/s: as slow counts as standstill.
 
-/// The part of a move between two places of its way, which is `length` long by the measure of its lead (mm or
-/// rad). A time that is programmed for the move is shared out.
+/// Returns the part of a move between two positions of its path, which is `length` long by the measure of its
+/// leading law (mm or rad). A time that is programmed for the move is shared out.
 PathMove move_part(const PathMove& move, double length, double from, double to,
                    const std::array<int, 3>& position_joints);
 
-/// Gives a segment the way of a move; its laws are yet to be set.
+/// Sets the path of a segment to that of a move; its laws are still to be set.
 void set_way(const PathMove& move, Segment& segment);
 
-/// The first instant of a law from `t_s` on at which another law may go on: any where nothing limits the
-/// jerk, else one without acceleration.
+/// Returns the first instant of a law from `t_s` on at which another law may continue: any if no limit
+/// applies to the jerk, otherwise one without acceleration.
 double turning_s(const TimeLaw& law, double t_s, double jerk);
 
 }  // namespace gsim::motion

@@ -9,7 +9,7 @@ namespace gsim::motion {
 
 namespace {
 
-// The share of the path behind us: 0 to 1.
+// Returns the share of the path already covered: 0 to 1.
 double share_of(const TimeLaw& law, double s) {
     return law.length() > 0 ? s / law.length() : 0;
 }
@@ -29,7 +29,7 @@ void put_orientation(const OrientationArc& way, double share, rrs::JointPos& pos
     position[way.tilt_joint()] = angles.tilt;
 }
 
-/// `scale`: of the share of the way, by the length that the lead counts.
+/// `scale` is the share of the path per length that the leading law counts.
 void put_orientation_state(const OrientationArc& way, const LawState& lead, double scale, JointState& state) {
     const double rate = scale * way.length_rad();
     const HeadState head = way.at(lead.s * rate);
@@ -43,13 +43,13 @@ void put_orientation_state(const OrientationArc& way, const LawState& lead, doub
     put(way.tilt_joint(), head.angles.tilt, head.first.tilt, head.second.tilt);
 }
 
-// Behind its end a law that is shorter than its segment rests.
+// A law that is shorter than its segment is at standstill after its end.
 LawState state_of(const Segment& segment, const TimeLaw& law, double t_s) {
     const bool waits = segment.joints_go_apart() && t_s > law.duration_s();
     return waits ? LawState{law.length(), 0, 0} : law.at(t_s);
 }
 
-// Two motions at once have no simple extremes; blends are short.
+// Two simultaneous motions have no simple extremes; blends are short.
 Range sampled_range(const Segment& segment, int joint) {
     constexpr int kSteps = 32;
     Range range{segment.start[joint], segment.start[joint]};
@@ -60,7 +60,7 @@ Range sampled_range(const Segment& segment, int joint) {
     return range;
 }
 
-// Each of two straight motions adds between nothing and the whole of its way.
+// Each of two straight motions adds between 0 and its full distance.
 bool surely_straight_within(const Segment& segment, const Range& range, int joint) {
     const Segment& beside = *segment.beside;
     const auto straight = [](const Segment& one) {
@@ -88,7 +88,7 @@ rrs::JointPos Segment::end_position() const {
 rrs::JointPos Segment::position_at(double t_s) const {
     if (t_s >= duration_s) return end_position();
     if (t_s <= 0) return start;
-    // A time law ends by rounding near its length, not at it: the ends are the ends above.
+    // A time law ends near its length by rounding, not at it, so the ends are handled above.
     const double s = lead.at(t_s).s;
     rrs::JointPos position = start + share_of(lead, s) * (end - start);
     if (kind == SegmentKind::circular) put_position(position_joints, arc.at(arc.phi_at(s)), position);
@@ -165,7 +165,7 @@ bool Segment::surely_within(const Range& range, int joint) const {
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     if (axis == position_joints.end()) return false;
     const auto index = axis - position_joints.begin();
-    if (arc.u[index] == 0 && arc.v[index] == 0 && arc.lift[index] == 0) {  // across the arc: nothing to round
+    if (arc.u[index] == 0 && arc.v[index] == 0 && arc.lift[index] == 0) {  // across the arc: no rounding
         const auto [least, most] = std::minmax({start[joint], end[joint], arc.center[index]});
         return least >= range.min && most <= range.max;
     }

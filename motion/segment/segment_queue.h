@@ -8,22 +8,22 @@
 
 namespace gsim::motion {
 
-/// Segments in the order of time, in slots that are made once and used again: a segment is planned where it
-/// stays, nothing is copied or allocated.
+/// Segments in the order of time, in slots that are made once and reused: a segment is planned in its final
+/// slot, without copies or allocations.
 class SegmentQueue {
   public:
     explicit SegmentQueue(std::size_t capacity) : slots_(capacity) {}
 
     bool empty() const { return count_ == 0; }
-    /// How many more segments fit.
+    /// Returns how many more segments fit.
     std::size_t room() const { return slots_.size() - count_; }
     const Segment& front() const { return slots_[first_]; }
     std::size_t size() const { return count_; }
-    /// The segments in their order, 0 at the front.
+    /// Returns a segment by its order, 0 at the front.
     const Segment& operator[](std::size_t index) const { return slots_[(first_ + index) % slots_.size()]; }
 
-    /// The free slot behind the last segment, with what it held before; part of the queue after push().
-    /// Without room the queue grows.
+    /// Returns the free slot after the last segment, with its previous content; it is part of the queue after
+    /// push(). The queue grows if it is full.
     Segment& next() {
         if (room() == 0) grow();
         const std::size_t index = first_ + count_;

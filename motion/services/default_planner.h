@@ -6,10 +6,10 @@
 
 namespace gsim::motion {
 
-/// A planner with its services: our own planner as a controller by itself.
+/// Planner with its services: our own planner as a controller by itself.
 class DefaultPlanner final : public Planner, public PlannerShell {
   public:
-    /// As Planner's.
+    /// Makes a planner as Planner's constructor does.
     explicit DefaultPlanner(PlannerSetup setup, SegmentSink* sink = nullptr)
         : Planner(std::move(setup), sink), PlannerShell(static_cast<Planner&>(*this)) {}
 };

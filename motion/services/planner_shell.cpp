@@ -48,7 +48,7 @@ void PlannerShell::start_over() {
     error_ = {};
 }
 
-/// A target by the type that is selected.
+/// Returns a target by the selected type.
 Goal PlannerShell::goal(const rrs::CartPos& cartesian, const rrs::JointPos& joints) const {
     if (selections_.target_type == rrs::TargetType::joint) return {joints, std::nullopt};
     return {{}, PoseGoal{selections_.frames.object * cartesian, selections_.frames.tool}};
@@ -70,7 +70,7 @@ Move PlannerShell::move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) co
 Status PlannerShell::put(const Move& move) {
     const Put answer = planner_.put(move);
     if (!answer) return tell(answer.error());
-    // In RRS a time, a rest and a via point are of one target; all other selections stay.
+    // A time, a dwell and a via point belong to one target in RRS; all other selections stay.
     selections_.terms.motion_time_s = 0;
     selections_.rest_s = 0;
     via_.reset();
@@ -133,7 +133,8 @@ Status PlannerShell::keep_via(const Goal& goal) {
         return refuse(Status::RRS_INVALID_PARAMETER,
                       "A via point belongs to circular motion; select that motion type first.");
     }
-    // Solved now: which of several solutions is meant depends on where the way so far ends.
+    // The via point is solved now, because the end of the path so far decides which of several solutions is
+    // meant.
     rrs::JointPos via;
     if (Planned solved = planner_.solve(goal, via); !solved) return tell(std::move(solved.error()));
     via_ = via;

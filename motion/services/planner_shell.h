@@ -18,27 +18,28 @@
 
 namespace gsim::motion {
 
-/// Planner behind the services: what a client selects and sets is kept here, in Selections, until it puts a
-/// target, which becomes a Move with all of it. `configuration` and `param_value` of targets are not looked
-/// at.
+/// Services of Planner. The selections and settings of a client are kept here, in Selections, until it
+/// enqueues a target, which becomes a Move with all of them. `configuration` and `param_value` of targets are
+/// not checked.
 ///
-/// Services of time: StopMotion brakes from the instant at which GetNextStep stands; GetNextStep then goes on
-/// to the stop. Until ContinueMotion or CancelMotion targets are refused (RRS_QUEUE_FULL). Events come true
-/// in the steps of GetNextStep. The dwell of SetRestParameter is a segment of its own with its target's id. A
-/// via point has no segment.
+/// Time services: StopMotion brakes from the instant of GetNextStep; GetNextStep then continues to the stop.
+/// Targets are rejected until ContinueMotion or CancelMotion (RRS_QUEUE_FULL). Events occur in the steps of
+/// GetNextStep. The dwell of SetRestParameter is a separate segment with its target's id. A via point has no
+/// segment.
 class PlannerShell : public rrs::Shell {
   public:
-    /// `planner` must outlive the shell. Moves that others put to it go between this one's.
+    /// Makes a shell; `planner` must outlive it. Moves that others enqueue in the planner run between those
+    /// of this shell.
     explicit PlannerShell(Planner& planner);
     PlannerShell(const PlannerShell&) = delete;
     PlannerShell& operator=(const PlannerShell&) = delete;
 
-    /// The robot stands in this cell, which must outlive the planner, on whose clock the run's time is.
+    /// Sets the cell of the robot. It must outlive the planner; the run's time is on the planner's clock.
     void set_cell(CellFrames& cell) { cell_ = &cell; }
-    /// What the targets that follow obey of the operator's overrides, which no service says.
+    /// Sets the operator's overrides that the targets that follow obey; no service sets this.
     void set_obeyed(const ObeyedOverrides& obeyed) { selections_.terms.obeyed = obeyed; }
     const Selections& selections() const { return selections_; }
-    /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
+    /// Returns the last result other than plain success, with its values; GetMessage returns its message.
     const PlanError& last_error() const { return error_; }
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, answers, parameters, arguments) \
@@ -83,7 +84,7 @@ class PlannerShell : public rrs::Shell {
     Selections selections_;
     std::optional<rrs::JointPos> via_;
     CellFrames* cell_ = nullptr;
-    /// Frames in which the poses of what was queued are told, until frames were moved.
+    /// Frames in which the poses of queued motion are reported, until frames were moved.
     struct FramesUntil {
         double until_s;
         WorkFrames frames;
@@ -91,7 +92,7 @@ class PlannerShell : public rrs::Shell {
     std::deque<FramesUntil> frames_before_;
     double machine_moved_s_ = 0;  ///< When one of MachineFrames was changed last.
     ObjectMotion object_;
-    std::optional<std::string> object_frame_;  ///< Of the cell; that the object is.
+    std::optional<std::string> object_frame_;  ///< Cell frame that is the object.
     double object_free_s_ = 0;                 ///< When it is at its last target.
     PlanError error_;
     bool initialized_ = false;

@@ -22,7 +22,7 @@ rrs::CornerRule rule_of(int criterion) {
 
 }  // namespace
 
-/// The machine with another rule, for the targets that follow.
+/// Changes a rule of the machine for the targets that follow.
 template <typename Change>
 void PlannerShell::change_machine(const Change& change) {
     PlannerSetup changed = selections_.terms.machine ? *selections_.terms.machine : planner_.machine();

@@ -22,7 +22,7 @@ Status PlannerShell::GetCellFrame(std::string_view frame_name, rrs::CartPos& fra
     return Status::RRS_SUCCESS;
 }
 
-/// What was queued before is made, and told, with the frame as it was.
+/// Motion that was queued before is made, and reported, with the old frame.
 Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) {
     if (cell_ == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
@@ -42,7 +42,7 @@ Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::Car
     return Status::RRS_SUCCESS;
 }
 
-/// Those of what waits in the queue: when it is stepped through, it is told as it was planned.
+/// Keeps the frames of motion that waits in the queue: its steps are reported as they were planned.
 void PlannerShell::keep_frames() {
     while (!frames_before_.empty() && frames_before_.front().until_s <= planner_.step_time_s())
         frames_before_.pop_front();
@@ -51,7 +51,7 @@ void PlannerShell::keep_frames() {
         frames_before_.push_back({planner_.time_s(), selections_.frames});
 }
 
-/// The frames that are selected, as they are now.
+/// Selects the frames again, with their current values.
 Planned PlannerShell::select_frames() {
     const auto& names = selections_.frame_names;
     auto frames =
@@ -61,7 +61,7 @@ Planned PlannerShell::select_frames() {
     return {};
 }
 
-/// Those in which the step that began at `from_s` is told.
+/// Returns the frames in which the step that began at `from_s` is reported.
 const WorkFrames& PlannerShell::frames_of_step(double from_s) {
     const auto is_over = [&](const FramesUntil& before) {
         return before.until_s <= from_s || before.until_s < planner_.step_time_s();
@@ -93,7 +93,7 @@ Status PlannerShell::SelectObject(std::string_view frame_name) {
     return Status::RRS_SUCCESS;
 }
 
-/// The object begins where the program stands, or behind its targets so far.
+/// The object begins at the program's current time, or after its targets so far.
 void PlannerShell::lead_object(const rrs::CartPos& pose, double duration_s) {
     if (!object_frame_) return;
     planner_.come_to_rest(true);

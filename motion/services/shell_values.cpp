@@ -1,4 +1,4 @@
-// The services of PlannerShell that select and set what holds for the targets to come, and its kinematics.
+// Services of PlannerShell that set values for the targets to come, and its kinematics.
 
 #include <cmath>
 #include <utility>
@@ -40,7 +40,7 @@ Status PlannerShell::GetForwardKinematics(const rrs::JointPos& joints, rrs::Cart
     return Status::RRS_SUCCESS;
 }
 
-// This planner has one only.
+// This planner has only one.
 Status PlannerShell::SelectTrajectoryMode(int mode) {
     return Shell::SelectTrajectoryMode(mode);
 }
