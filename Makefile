@@ -22,7 +22,7 @@ help:
 	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
 	@echo 'make calibration GSIM_REFERENCE=FOLDER  fit generic models to recorded controllers, and tell how near they foretell the others'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS), or the one TARGET=NAME; RECORD=1 counts it in tests/fuzz/RESULTS.md'
-	@echo 'make coverage what of the sources the tests run, by room; the report in build-coverage/report'
+	@echo 'make coverage what of the sources the tests run, by module; the report in build-coverage/report'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
 	@echo 'make docs     renew docs/language.md and docs/services.md from the tables'
 	@echo 'make pictures renew the pictures of the documentation'

@@ -1,4 +1,4 @@
-# libgsim, shared and static, of the rooms below engine/: what other programs link. Only its interface shows (engine/api.h, engine/gsim.h).
+# libgsim, shared and static, of the modules below engine/: what other programs link. Only its interface shows (engine/api.h, engine/gsim.h).
 
 # gsim_bundle(SHARED ARCHIVE TARGETS...): both libraries of what TARGETS show and all that they link.
 function(gsim_bundle shared archive)

@@ -5,8 +5,8 @@ Usage: affected.py files SINCE      the files that changed, new ones included an
        affected.py changed SINCE    the C++ sources that changed
        affected.py sources SINCE    the C++ sources that changed, and those that include a header that has
        affected.py headers SINCE    one C++ source for each header that changed: the header itself is looked at once
-       affected.py tests SINCE      the folders of tests (tests/NAME) of the rooms with changed sources, and of those that include them
-       affected.py readers SINCE    the fuzz targets of the readers in the rooms with changed sources
+       affected.py tests SINCE      the folders of tests (tests/NAME) of the modules with changed sources, and of those that include them
+       affected.py readers SINCE    the fuzz targets of the readers in the modules with changed sources
 
 SINCE `all`: everything. A source has not changed if only its folder, its names, its comments or its layout have (scripts/same_source.py)."""
 
@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # no compiled Python among the sources
-import rooms
+import modules
 import same_source
 from same_source import INCLUDE
 
@@ -90,18 +90,18 @@ def folder(name):
 
 
 def module_of(name):
-    """The room of a source in the table of docs/architecture.md; its folder if it is in none, as a test is."""
-    return rooms.room_of(name, module_names()) or folder(name)
+    """The module of a source in the table of docs/architecture.md; its folder if it is in none, as a test is."""
+    return modules.module_of(name, module_names()) or folder(name)
 
 
 @functools.cache
 def module_names():
-    page = Path(rooms.PAGE)
-    return tuple(rooms.rows(page.read_text(encoding="utf-8"))) if page.exists() else ()
+    page = Path(modules.PAGE)
+    return tuple(modules.rows(page.read_text(encoding="utf-8"))) if page.exists() else ()
 
 
 def affected_folders(since):
-    """Rooms with changed sources, and those with a source that includes a header of such a room."""
+    """Modules with changed sources, and those with a source that includes a header of such a module."""
     graph = includes()
     changed = {module_of(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
     return changed | {module_of(name) for name, used in graph.items() if any(module_of(header) in changed for header in used)}

@@ -123,7 +123,7 @@ since=$(base_commit)
 readonly since
 changed=$(scripts/affected.py files "$since") || exit
 readonly changed
-product="^($(python3 -B scripts/rooms.py --folders)|cmake|samples)/|^CMake" || exit
+product="^($(python3 -B scripts/modules.py --folders)|cmake|samples)/|^CMake" || exit
 readonly cpp='\.(cpp|h|def|l|y)$' product
 
 stage "format" "$cpp|^\.clang-format$|^scripts/lint" scripts/lint.sh format

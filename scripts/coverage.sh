@@ -1,5 +1,5 @@
 #!/bin/bash
-# Which lines and branches of the product the tests run, by room: runs the tests of a folder that the preset `coverage` built and
+# Which lines and branches of the product the tests run, by module: runs the tests of a folder that the preset `coverage` built and
 # reads what they counted. Prints a table, writes BUILD-FOLDER/report/index.html, and fails below 95 % of lines.
 # Usage: scripts/coverage.sh test BUILD-FOLDER [ctest options]   forgets earlier counts, then runs the tests
 #        scripts/coverage.sh report BUILD-FOLDER                 the table of what has been run since
@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 readonly least_percent=95
 # The engine, the studio, batches and calibration are not counted.
-readonly rooms='base|geometry|lexer|grammar|codegen|controller|motion|machine|collision|toolpath|runtime|analysis|cam|cli|apps'
+readonly modules='base|geometry|lexer|grammar|codegen|controller|motion|machine|collision|toolpath|runtime|analysis|cam|cli|apps'
 
 # Recordings that are not part of the project would count for what its own tests do not do.
 run_tests() {
@@ -24,7 +24,7 @@ run_tests() {
 report() {
     local build=$1
     mkdir -p "$build/report"
-    gcovr --root . --filter "($rooms)/" --exclude '.*/batches/' --exclude-throw-branches --exclude-unreachable-branches \
+    gcovr --root . --filter "($modules)/" --exclude '.*/batches/' --exclude-throw-branches --exclude-unreachable-branches \
         -j "$(scripts/jobs.sh)" --json-summary "$build/coverage.json" --txt "$build/report/files.txt" --html-details "$build/report/index.html" "$build" >"$build/gcovr.log" 2>&1 ||
         { cat "$build/gcovr.log" >&2; return 1; }
     python3 scripts/coverage_table.py --least "$least_percent" "$build/coverage.json" "$build/lua_lines"

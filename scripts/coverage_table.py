@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The table of docs/coverage.md: covered lines and branches of each room, from gcovr's summary, and the lines of lua_lib/ from what the
+"""The table of docs/coverage.md: covered lines and branches of each module, from gcovr's summary, and the lines of lua_lib/ from what the
 tests noted (tests/coverage). Ends with 1 where fewer lines are covered than --least says, in C++ or in Lua.
 Usage: coverage_table.py --least PERCENT [--missing] SUMMARY LUA-LINES"""
 
@@ -12,18 +12,18 @@ from collections import defaultdict
 from pathlib import Path
 
 
-def room_of(name):
+def module_of(name):
     folders = name.split("/")[:-1]
     return "/".join(folders[:1] if folders[0] in ("apps", "cli", "codegen", "grammar", "lexer") else folders[:2])
 
 
-def rooms_of(summary):
-    rooms = defaultdict(lambda: [0, 0, 0, 0])
+def modules_of(summary):
+    modules = defaultdict(lambda: [0, 0, 0, 0])
     for file in summary["files"]:
-        counts = rooms[room_of(file["filename"])]
+        counts = modules[module_of(file["filename"])]
         for place, name in enumerate(("line_total", "line_covered", "branch_total", "branch_covered")):
             counts[place] += file[name]
-    return rooms
+    return modules
 
 
 def lines_with_code(file):
@@ -61,22 +61,22 @@ def main():
     parser.add_argument("lua_lines")
     arguments = parser.parse_args()
 
-    rooms = rooms_of(json.loads(Path(arguments.summary).read_text(encoding="utf-8")))
+    modules = modules_of(json.loads(Path(arguments.summary).read_text(encoding="utf-8")))
     lua = list(lua_missing(arguments.lua_lines))
     lua_total = sum(total for _, total, _ in lua)
     lua_run = lua_total - sum(len(missing) for _, _, missing in lua)
-    all_rooms = [sum(column) for column in zip(*rooms.values())]
+    all_modules = [sum(column) for column in zip(*modules.values())]
 
-    print("| room | lines | run | % | branches | taken | % |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
-    for name in sorted(rooms):
-        print(row(f"`{name}`", rooms[name]))
-    print(row("C++ in all", all_rooms))
+    print("| module | lines | run | % | branches | taken | % |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
+    for name in sorted(modules):
+        print(row(f"`{name}`", modules[name]))
+    print(row("C++ in all", all_modules))
     print(row("`lua_lib`", [lua_total, lua_run, 0, 0]))
     if arguments.missing:
         for file, _, missing in lua:
             print(*(f"{file}:{number}" for number in missing), sep="\n")
 
-    low = [name for name, total, run in (("C++", *all_rooms[:2]), ("Lua", lua_total, lua_run)) if percent(run, total) < arguments.least]
+    low = [name for name, total, run in (("C++", *all_modules[:2]), ("Lua", lua_total, lua_run)) if percent(run, total) < arguments.least]
     for name in low:
         print(f"coverage: the tests run less than {arguments.least:g} % of the lines of {name}", file=sys.stderr)
     return 1 if low else 0

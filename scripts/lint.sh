@@ -9,8 +9,8 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-rooms=$(python3 -B scripts/rooms.py --folders)'|bench'
-readonly rooms
+modules=$(python3 -B scripts/modules.py --folders)'|bench'
+readonly modules
 
 format() {
     local code=0
@@ -42,7 +42,7 @@ prepare() {
 # The batches and sources in which a commit's changes are, as patterns of whole names. A header is looked at in one of them.
 batches_since() {
     local source batches
-    { scripts/affected.py changed "$1"; scripts/affected.py headers "$1"; } | sed -nE "\\#^($rooms)/#p" | while read -r source; do
+    { scripts/affected.py changed "$1"; scripts/affected.py headers "$1"; } | sed -nE "\\#^($modules)/#p" | while read -r source; do
         batches=$(grep -rlF --include='*.cxx' "\"$source\"" build-lint) || true
         printf '%s\n' "${batches:-$source}"
     done | sort -u | sed -E 's#^build-lint/#'"$PWD"'/build-lint/#; s#^([^/].*)#'"$PWD"'/\1#; s/[.]/\\./g; s/^/^/; s/$/$/'
@@ -50,9 +50,9 @@ batches_since() {
 
 # Batches include sources. g++'s parameters are not clang's.
 tidy() {
-    local since=${1:-} log own="^$PWD/($rooms)/" files
+    local since=${1:-} log own="^$PWD/($modules)/" files
     prepare build-lint
-    files=("^$PWD/build-lint/($rooms)/(.*/)?batches/" "$own.*\.cpp\$")
+    files=("^$PWD/build-lint/($modules)/(.*/)?batches/" "$own.*\.cpp\$")
     if [[ -n $since && $since != all ]] && git diff --quiet "$since" -- .clang-tidy; then
         mapfile -t files < <(batches_since "$since")
         ((${#files[@]} > 0)) || return 0
@@ -70,7 +70,7 @@ tidy() {
 
 alone() {
     prepare build-alone -DGSIM_BATCHES=OFF -DGSIM_TESTS=ON
-    scripts/affected.py sources "$1" | sed -nE "\\#^($rooms|tests)/#p" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
+    scripts/affected.py sources "$1" | sed -nE "\\#^($modules|tests)/#p" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
 }
 
 case ${1:-} in

@@ -86,7 +86,7 @@ class Affected(unittest.TestCase):
         self.assertEqual(["high/c.cpp"], affected.changed_files("HEAD"))
 
     def test_all_folders_of_a_module_are_one(self):
-        self.write("docs/architecture.md", "## Rooms\n\n| `low/` | all | |\n")
+        self.write("docs/architecture.md", "## Modules\n\n| `low/` | all | |\n")
         self.assertEqual(("low", "high"), (affected.module_of("low/deep/a.h"), affected.module_of("high/c.cpp")))
 
     def test_another_header_is_a_change(self):

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds each #include against the table of rooms in docs/architecture.md: what a room includes stands in its row, and what stands there is
-included somewhere. Rooms are in the order in which the table has them, from the ground up: a room uses none below its own row. Top-level folders do not
+"""Holds each #include against the table of modules in docs/architecture.md: what a module includes stands in its row, and what stands there is
+included somewhere. Modules are in the order in which the table has them, from the ground up: a module uses none below its own row. Top-level folders do not
 include each other, and no folder of sources has more than 50 files.
-Usage: rooms.py             checks the table
-       rooms.py --print     the rows as the sources have them
-       rooms.py --folders   the top-level folders of the table, as a regular expression: 'base|lexer|...'"""
+Usage: modules.py             checks the table
+       modules.py --print     the rows as the sources have them
+       modules.py --folders   the top-level folders of the table, as a regular expression: 'base|lexer|...'"""
 
 import re
 import sys
@@ -13,9 +13,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent.parent
 PAGE = "docs/architecture.md"
-HEADING = "## Rooms"
+HEADING = "## Modules"
 LARGEST_FOLDER = 50
-FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every room
+FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every module
 EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 
 # Through it all include nlohmann-json.
@@ -30,7 +30,7 @@ EXTERNAL = (
 
 
 def rows(page):
-    """The rooms and what they may use, as the table has them."""
+    """The modules and what they may use, as the table has them."""
     text = page.split(HEADING + "\n", 1)[1].split("\n## ", 1)[0]
     table = {}
     for line in text.splitlines():
@@ -40,8 +40,8 @@ def rows(page):
     return table
 
 
-def room_of(file, rooms):
-    inside = [room for room in rooms if file.startswith(room + "/")]
+def module_of(file, modules):
+    inside = [module for module in modules if file.startswith(module + "/")]
     return max(inside, key=len, default=None)
 
 
@@ -56,13 +56,13 @@ def sources(root):
                               if file.suffix in (".cpp", ".h", ".l", ".y") and "node_modules" not in file.parts)
 
 
-def uses(root, rooms):
-    """For each room what it includes, with the first place where it does; and sources that are in no room."""
+def uses(root, modules):
+    """For each module what it includes, with the first place where it does; and sources that are in no module."""
     used, homeless = defaultdict(dict), []
     for path in sources(root):
         file = path.relative_to(root).as_posix()
-        room = room_of(file, rooms)
-        if room is None:
+        module = module_of(file, modules)
+        if module is None:
             if file not in EVERYBODYS:
                 homeless.append(file)
             continue
@@ -70,36 +70,36 @@ def uses(root, rooms):
             if not (include := re.match(r'\s*#\s*include\s*([<"])([^>"]+)', line)):
                 continue
             ours = include[1] == '"'
-            use = room_of(include[2], rooms) if ours else maker_of(include[2])
-            if use and use != room:
-                used[room].setdefault(use, f"{file}:{number}")
+            use = module_of(include[2], modules) if ours else maker_of(include[2])
+            if use and use != module:
+                used[module].setdefault(use, f"{file}:{number}")
             if include[2] == JSON_HEADER:
-                used[room].setdefault("nlohmann-json", f"{file}:{number}")
+                used[module].setdefault("nlohmann-json", f"{file}:{number}")
     return used, homeless
 
 
 def faults(table, used, homeless):
     order = list(table)
     for file in homeless:
-        yield f"{file}: its folder has no row in the table of rooms"
-    for room, allowed in table.items():
-        for use, where in used[room].items():
+        yield f"{file}: its folder has no row in the table of modules"
+    for module, allowed in table.items():
+        for use, where in used[module].items():
             if use not in allowed:
-                yield f"{where}: {room}/ uses {use}, which its row does not say"
-            elif use in table and order.index(use) > order.index(room):
-                yield f"{where}: {room}/ uses {use}/, which stands below it in the table"
+                yield f"{where}: {module}/ uses {use}, which its row does not say"
+            elif use in table and order.index(use) > order.index(module):
+                yield f"{where}: {module}/ uses {use}/, which stands below it in the table"
         for use in allowed:
-            if use not in used[room]:
-                yield f"{PAGE}: {room}/ may use {use}, and nothing there does"
+            if use not in used[module]:
+                yield f"{PAGE}: {module}/ may use {use}, and nothing there does"
 
 
 def top_level_circles(used):
     """Pairs of top-level folders that include each other, with a file of each direction."""
     uses_of = defaultdict(dict)
-    for room, included in used.items():
+    for module, included in used.items():
         for use, place in included.items():
-            if use in used and use.split("/")[0] != room.split("/")[0]:
-                uses_of[room.split("/")[0]].setdefault(use.split("/")[0], place)
+            if use in used and use.split("/")[0] != module.split("/")[0]:
+                uses_of[module.split("/")[0]].setdefault(use.split("/")[0], place)
     for folder, others in sorted(uses_of.items()):
         for other in sorted(others):
             if folder < other and folder in uses_of.get(other, {}):
@@ -115,7 +115,7 @@ def large_folders(root):
 
 
 def top_level_folders(table):
-    return list(dict.fromkeys(room.split("/")[0] for room in table))
+    return list(dict.fromkeys(module.split("/")[0] for module in table))
 
 
 def main():
@@ -125,12 +125,12 @@ def main():
         return 0
     used, homeless = uses(HERE, table)
     if "--print" in sys.argv:
-        for room in table:
-            ours = [f"`{use}/`" for use in table if use in used[room]]
-            others = sorted((use for use in used[room] if use not in table), key=str.lower)
-            print(f"{room}: {', '.join(ours + others)}")
+        for module in table:
+            ours = [f"`{use}/`" for use in table if use in used[module]]
+            others = sorted((use for use in used[module] if use not in table), key=str.lower)
+            print(f"{module}: {', '.join(ours + others)}")
     found = [*faults(table, used, homeless), *top_level_circles(used), *large_folders(HERE)]
-    print("\n".join(found) if found else f"{len(table)} rooms use what the table says")
+    print("\n".join(found) if found else f"{len(table)} modules use what the table says")
     return 1 if found else 0
 
 

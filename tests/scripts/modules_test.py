@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Includes are held against the table of rooms. Usage: rooms_test.py SCRIPTS-FOLDER"""
+"""Includes are held against the table of modules. Usage: modules_test.py SCRIPTS-FOLDER"""
 
 import pathlib
 import sys
@@ -7,13 +7,13 @@ import tempfile
 import unittest
 
 sys.path.insert(0, sys.argv.pop(1))
-import rooms
+import modules
 
 PAGE = """# Architecture
 
-## Rooms
+## Modules
 
-| room | holds | includes |
+| module | holds | includes |
 | --- | --- | --- |
 | `low/` | words | fmt |
 | `low/deep/` | more of it | `low/` |
@@ -21,7 +21,7 @@ PAGE = """# Architecture
 
 ## More
 
-| `other/` | is no room | fmt |
+| `other/` | is no module | fmt |
 """
 SOURCES = {
     "low/a.h": "#include <vector>\n#include <fmt/format.h>\n",
@@ -37,11 +37,11 @@ def faults(changed):
         for name, text in {**SOURCES, **changed}.items():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text, encoding="utf-8")
-        table = rooms.rows(PAGE)
-        return list(rooms.faults(table, *rooms.uses(root, table)))
+        table = modules.rows(PAGE)
+        return list(modules.faults(table, *modules.uses(root, table)))
 
 
-class Rooms(unittest.TestCase):
+class Modules(unittest.TestCase):
     def test_what_the_table_says_is_no_fault(self):
         self.assertEqual([], faults({}))
 
@@ -57,14 +57,14 @@ class Rooms(unittest.TestCase):
 
     def test_a_room_uses_none_below_its_row(self):
         upwards = PAGE.replace("| words | fmt |", "| words | fmt, `high/` |")
-        table = rooms.rows(upwards)
+        table = modules.rows(upwards)
         self.assertIn("low/a.h:1: low/ uses high/, which stands below it in the table",
-                      list(rooms.faults(table, {**{room: {} for room in table}, "low": {"high": "low/a.h:1"}}, [])))
+                      list(modules.faults(table, {**{module: {} for module in table}, "low": {"high": "low/a.h:1"}}, [])))
 
     def test_top_level_folders_that_include_each_other_are_one(self):
         used = {"low": {"high/deep": "low/a.h:1"}, "low/deep": {}, "high": {"low": "high/a.cpp:3"}, "high/deep": {}}
-        self.assertEqual(["high/a.cpp:3: high/ and low/ include each other (low/a.h:1)"], list(rooms.top_level_circles(used)))
-        self.assertEqual([], list(rooms.top_level_circles({**used, "low": {"low/deep": "low/a.h:1"}})))
+        self.assertEqual(["high/a.cpp:3: high/ and low/ include each other (low/a.h:1)"], list(modules.top_level_circles(used)))
+        self.assertEqual([], list(modules.top_level_circles({**used, "low": {"low/deep": "low/a.h:1"}})))
 
     def test_a_folder_with_51_files_is_large(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -73,10 +73,10 @@ class Rooms(unittest.TestCase):
                 (root / name).mkdir()
                 for number in range(51 if name == "low" else 50):
                     (root / name / f"{number}.cpp").write_text("", encoding="utf-8")
-            self.assertEqual(["low/ has 51 files; 50 are permitted, so divide it"], list(rooms.large_folders(root)))
+            self.assertEqual(["low/ has 51 files; 50 are permitted, so divide it"], list(modules.large_folders(root)))
 
     def test_each_folder_of_sources_is_a_room(self):
-        self.assertEqual(["shed/a.cpp: its folder has no row in the table of rooms"], faults({"shed/a.cpp": "int i;\n"}))
+        self.assertEqual(["shed/a.cpp: its folder has no row in the table of modules"], faults({"shed/a.cpp": "int i;\n"}))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ const shared = ["core", "run", "texts"];
 const files = readdirSync(sources, { recursive: true }).filter((name) => name.endsWith(".ts"));
 
 /** Returns the module of a file, by its path below src/: its folder, or its own name. */
-const roomOf = (file) => file.split("/")[0].replace(/\.ts$/, "");
+const moduleOf = (file) => file.split("/")[0].replace(/\.ts$/, "");
 
 /** What a file imports, by paths below src/; packages left out. */
 function* importsOf(file) {
@@ -24,14 +24,14 @@ function* importsOf(file) {
   }
 }
 
-const mayKnow = (room) => {
-  if (shared.includes(room)) return room === "texts" ? ["texts"] : shared;
-  if (parts.includes(room)) return [room, ...shared];
+const mayKnow = (module) => {
+  if (shared.includes(module)) return module === "texts" ? ["texts"] : shared;
+  if (parts.includes(module)) return [module, ...shared];
   return [...parts, ...shared, "embedded", "page", "served", "style.css"];
 };
 
 const offences = files.flatMap((file) =>
-  [...importsOf(file)].filter((used) => !mayKnow(roomOf(file)).includes(roomOf(used))).map((used) => `${file} imports ${used}`),
+  [...importsOf(file)].filter((used) => !mayKnow(moduleOf(file)).includes(moduleOf(used))).map((used) => `${file} imports ${used}`),
 );
 
 /** The file below src/ that an import means. */
@@ -65,7 +65,7 @@ function reached(first) {
 
 export default {
   "all parts are looked at": () => {
-    for (const room of [...parts, ...shared]) assert.ok(files.some((file) => roomOf(file) === room), room);
+    for (const module of [...parts, ...shared]) assert.ok(files.some((file) => moduleOf(file) === module), module);
     const [first] = importsOf("core/shown.ts");
     assert.equal(first, "run/report");
   },
@@ -79,7 +79,7 @@ export default {
   },
 
   "a page without forms says nothing that it does not have": () => {
-    const all = reached("look.ts").filter((file) => roomOf(file) !== "texts");
+    const all = reached("look.ts").filter((file) => moduleOf(file) !== "texts");
     assert.ok(all.includes("view/view.ts") && !all.includes("panels/variants/index.ts"));
     const said = new RegExp(`\\btexts\\.(${textsOfForms.join("|")})\\b`);
     assert.deepEqual(all.filter((file) => said.test(readFileSync(join(sources, file), "utf8"))), []);
@@ -97,7 +97,7 @@ export default {
   },
 
   "each text is used": () => {
-    const isText = (file) => roomOf(file) === "texts";
+    const isText = (file) => moduleOf(file) === "texts";
     const joined = (some) => some.map((file) => readFileSync(join(sources, file), "utf8")).join("\n");
     const all = joined(files.filter((file) => !isText(file)));
     const words = joined(files.filter(isText)).matchAll(/^(?: {2}| {4})(\w+):/gm);
