@@ -48,10 +48,10 @@ enum class Group : std::uint8_t {
     input_output,
     extrusion,
     user,
-    one_action,
+    one_action,  ///< The last one.
 };
 
-inline constexpr std::size_t kGroupCount = 35;
+inline constexpr std::size_t kGroupCount = static_cast<std::size_t>(Group::one_action) + 1;
 std::string_view name(Group group);
 
 /// Use of the axis words of a block by a code.
@@ -93,9 +93,9 @@ enum class Phase : std::uint8_t {
     spindle_stop,
     pause,
     flow,
-    input_output,
+    input_output,  ///< The last one.
 };
-inline constexpr std::size_t kPhaseCount = 25;
+inline constexpr std::size_t kPhaseCount = static_cast<std::size_t>(Phase::input_output) + 1;
 /// Returns a description of the actions of a phase.
 std::string_view name(Phase phase);
 

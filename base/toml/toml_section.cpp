@@ -1,6 +1,7 @@
 #define TOML_IMPLEMENTATION
 #include "base/toml/toml_section.h"
 
+#include "base/text/file_format.h"
 #include "base/toml/toml_bounds.h"
 
 namespace gsim::base {
@@ -10,6 +11,17 @@ namespace {
 constexpr double kGreatestTomlNumber = 1e9;  // mm or deg; far beyond any machine, far from overflow
 constexpr double kLeastStep = 1e-6;          // a nanometre, a microsecond
 constexpr double kGreatestCount = 1e5;       // blocks; a few hundred bytes each
+
+/// Checks and removes the format of a file, which is the same key in all of them.
+void check_format(FirstError& error, toml::table& table) {
+    const toml::node* node = table.get("format");
+    if (!node) return;
+    const auto number = node->value_exact<std::int64_t>();
+    const auto message = number ? text::format_error(static_cast<double>(*number))
+                                : std::optional<std::string>("'format' must be an integer");
+    if (message) error.report(node->source().begin, *message);
+    table.erase("format");
+}
 
 }  // namespace
 
@@ -21,7 +33,11 @@ toml::table parse_toml(FirstError& error, std::string_view toml_text) {
         return {};
     }
     toml::parse_result parsed = toml::parse(toml_text);
-    if (parsed) return std::move(parsed).table();
+    if (parsed) {
+        toml::table table = std::move(parsed).table();
+        check_format(error, table);
+        return table;
+    }
     error.report(parsed.error().source().begin, parsed.error().description());
     return {};
 }

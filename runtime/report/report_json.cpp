@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/text/diagnostic_json.h"
+#include "base/text/file_format.h"
 #include "runtime/report/report_diagnostics.h"
 #include "runtime/report/report_efforts.h"
 #include "runtime/report/report_following.h"
@@ -299,7 +300,9 @@ Json object(const Report& report) {
     return json;
 }
 
-std::string text(const Json& json) {
+std::string text(const Json& report) {
+    Json json = {{"format", text::kFileFormat}};
+    json.update(report);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/file_format.h"
+
 namespace gsim::path {
 
 namespace {
@@ -55,6 +57,10 @@ bool JsonHandler::number(double value) {
     if (level() == Level::offset) return offset_value(value);
     if (level() == Level::touch) return value_of_touch(value);
     if (level() == Level::path) return number_of_path(value);
+    if (level() == Level::program && key_ == "format") {
+        const auto error = text::format_error(value);
+        return error ? fail(*error) : true;
+    }
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool wants_number =
         level() == Level::target && (target_wants(TargetDraft::ValueKind::number) ||
@@ -65,7 +71,7 @@ bool JsonHandler::number(double value) {
 bool JsonHandler::string(std::string& value) {
     switch (level()) {
         case Level::program:
-            if (key_ == "paths" || key_ == "work_offsets") return wrong_type("a string");
+            if (key_ == "paths" || key_ == "work_offsets" || key_ == "format") return wrong_type("a string");
             if (key_ == "name") file_.program.name = value;
             if (key_ == "root") {
                 root_ = value;

@@ -11,6 +11,7 @@ std::string JsonHandler::wanted() const {
         case Level::outside: return "a path file must be an object {...}";
         case Level::program:
             if (key_ == "work_offsets") return "'work_offsets' must be an object of offsets by name";
+            if (key_ == "format") return "'format' must be a number";
             return fmt::format("'{}' must be {}", key_, key_ == "paths" ? "an array of paths" : "a string");
         case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
         case Level::path:

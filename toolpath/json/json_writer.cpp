@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/file_format.h"
 #include "base/text/format.h"
 #include "base/text/json_text.h"
 #include "toolpath/json/keys.h"
@@ -28,7 +29,7 @@ class Writer {
         : program_(program), sink_(sink) {}
 
     void write() {
-        put("{{\n\"name\": {},\n\"root\": {},\n", quoted(program_.name),
+        put("{{\n\"format\": {},\n\"name\": {},\n\"root\": {},\n", text::kFileFormat, quoted(program_.name),
             quoted(program_.paths[program_.root].name));
         if (program_.is_recorded()) write_work_offsets();
         put("\"paths\": [\n");

@@ -9,8 +9,8 @@ namespace gsim::path {
 
 // Keys of the text form (docs/paths.md), the same in JSON and in Lua.
 
-inline constexpr std::array<std::string_view, 5> kProgramKeys = {"$schema", "name", "root", "paths",
-                                                                 "work_offsets"};
+inline constexpr std::array<std::string_view, 6> kProgramKeys = {"$schema", "format", "name",
+                                                                 "root",    "paths",  "work_offsets"};
 
 /// Keys of a path; the first two are required.
 enum class PathKey {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text/diagnostic_json.h"
+#include "base/text/file_format.h"
 #include "base/text/json.h"
 #include "engine/src/values.h"
 #include "engine/version.h"
@@ -90,7 +91,7 @@ Diagnostic diagnostic_of(const Failure& failure) {
 }
 
 std::string findings_json(std::span<const Diagnostic> diagnostics, std::span<const CheckedProgram> programs) {
-    Json document;
+    Json document = {{"format", text::kFileFormat}};
     for (const CheckedProgram& each : programs) {
         document["programs"].push_back(
             {{"program", each.name}, {"status", each.status}, {"cycle_time_s", each.cycle_time_s}});

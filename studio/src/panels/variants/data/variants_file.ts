@@ -5,6 +5,9 @@ import { texts } from "../../../texts";
 
 const words = texts.variants.file;
 
+/** Format of the file (docs/versions.md). */
+const FORMAT = 1;
+
 /** Block of a run: that of a line, at the given pass over it, from 1. */
 export interface From {
   file: string;
@@ -67,7 +70,8 @@ function readVariant(value: unknown, number: number): Variant {
 function read(text: string): Variant[] {
   const value: unknown = JSON.parse(text);
   if (!isTable(value) || !Array.isArray(value.variants)) throw new Fault(words.noList);
-  only(value, ["variants"], words.outermost);
+  only(value, ["format", "variants"], words.outermost);
+  if (value.format !== undefined && value.format !== FORMAT) throw new Fault(words.unknownFormat(value.format, FORMAT));
   const variants = value.variants.map((each, i) => readVariant(each, i + 1));
   const double = variants.find(({ name }, i) => variants.findIndex((other) => other.name === name) !== i);
   if (double) throw new Fault(words.twice(double.name));
@@ -90,7 +94,7 @@ export function writeVariants(variants: readonly Variant[]): string {
     ...Object.fromEntries(Object.entries(setup).filter(([key, value]) => value !== first[key])),
     ...(from && { from }),
   }));
-  return `${JSON.stringify({ variants: tables }, null, 2)}\n`;
+  return `${JSON.stringify({ format: FORMAT, variants: tables }, null, 2)}\n`;
 }
 
 /** Returns "a name", or "a name 2" if that is taken. */

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace gsim::text {
+
+/// Format of the files that people keep and of reports (docs/versions.md). It rises if a reader of before
+/// would misunderstand a new file.
+inline constexpr int kFileFormat = 1;
+
+/// Returns an error if a file says that it has another format than kFileFormat.
+std::optional<std::string> format_error(double format);
+
+}  // namespace gsim::text
