@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/text/file_format.h"
 #include "base/toml/toml_text.h"
 #include "machine/file/calibration_section.h"
 #include "machine/file/controller_file.h"
@@ -102,6 +103,7 @@ void print_axis(TomlText& out, const Axis& axis) {
 
 std::string print_machine(const Machine& machine) {
     TomlText out;
+    out.number("format", text::kFileFormat);
     print_ignored(out, machine);
     out.section("[machine]");
     out.line("name", base::toml_string(machine.name));
