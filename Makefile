@@ -93,12 +93,12 @@ else
 calibration:
 	@scripts/setup.sh test calibrate
 	@$(call build_into,release) --target gsim-black-box
-	@build/bin/gsim-black-box --machines samples/machines '$(GSIM_REFERENCE)'
+	@build/bin/gsim-black-box --machines samples/machines --machines tests/accuracy/machines '$(GSIM_REFERENCE)'
 
 accuracy:
 	@scripts/setup.sh test
 	@$(call build_into,release) --target gsim gsim-accuracy
-	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions --summary '$(GSIM_REFERENCE)'
+	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --machines tests/accuracy/machines --positions --summary '$(GSIM_REFERENCE)'
 endif
 
 coverage:

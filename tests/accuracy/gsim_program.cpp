@@ -13,6 +13,7 @@
 #include "base/os/file_handle.h"
 #include "base/text/json.h"
 #include "machine/file/machine_file.h"
+#include "tests/accuracy/machine_folders.h"
 
 namespace gsim::accuracy {
 
@@ -61,12 +62,12 @@ std::string table_of_tools(int count) {
 
 }  // namespace
 
-GsimProgram::GsimProgram(std::string gsim_run, fs::path machines)
+GsimProgram::GsimProgram(std::string gsim_run, std::vector<std::string> machines)
     : gsim_run_(std::move(gsim_run)), machines_(std::move(machines)) {}
 
 tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
                                                         const std::vector<std::string>& outputs) const {
-    return run_on(machines_ / recording.machine_file, recording, outputs);
+    return run_on(machine_file_in(machines_, recording.machine_file), recording, outputs);
 }
 
 tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machine,
@@ -99,7 +100,7 @@ tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& rec
 }
 
 tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recording& recording) const {
-    auto machine = machine::load_machine(machines_ / recording.machine_file);
+    auto machine = machine::load_machine(machine_file_in(machines_, recording.machine_file));
     if (!machine) return tl::unexpected(machine.error());
     const machine::Machine whole = *machine;
     rrs::ControllerRules& rules = machine->controller;

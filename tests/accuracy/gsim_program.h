@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -16,8 +17,8 @@ namespace gsim::accuracy {
 /// Runs recorded programs by gsim-run, each on the machine it was recorded on.
 class GsimProgram {
   public:
-    /// `machines` is the folder of machine files.
-    GsimProgram(std::string gsim_run, std::filesystem::path machines);
+    /// `machines` are folders of machine files; the first one that has a file counts.
+    GsimProgram(std::string gsim_run, std::vector<std::string> machines);
 
     /// The cycle time of a program in the dialect rs274ngc, s, from its start or its first motion on; the
     /// error is the first one that gsim-run reports.
@@ -37,7 +38,7 @@ class GsimProgram {
                                                   const std::vector<std::string>& outputs) const;
 
     std::string gsim_run_;
-    std::filesystem::path machines_;
+    std::vector<std::string> machines_;
     conformance::ScratchFolder scratch_;
 };
 

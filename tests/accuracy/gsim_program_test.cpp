@@ -42,7 +42,7 @@ TEST(GsimProgram, RunsAProgramOnItsMachine) {
     const fs::path fake = script(folder,
                                  "echo \"$@\" >\"$(dirname \"$0\")/arguments\"\n"
                                  "echo '{\"status\": \"completed\", \"cycle_time_s\": 2.5}'\n");
-    const GsimProgram gsim(fake, "machines");
+    const GsimProgram gsim(fake, {"machines"});
     EXPECT_EQ(gsim.cycle_time_s(recording(folder)).value(), 2.5);
     std::ifstream arguments(folder.path() / "arguments");
     std::string line;
@@ -59,7 +59,7 @@ TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
                "echo '{\"status\": \"completed\", \"cycle_time_s\": 2.5}'\n");
     Recording with_tools = recording(folder);
     with_tools.tools = 2;
-    ASSERT_TRUE(GsimProgram(fake, "machines").cycle_time_s(with_tools));
+    ASSERT_TRUE(GsimProgram(fake, {"machines"}).cycle_time_s(with_tools));
     std::ifstream data(folder.path() / "data");
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(data), {}),
               "NCFILE\nTOOL\n1 0 0 CUTTER\n2 0 0 CUTTER\nENDFILE\n");
@@ -67,17 +67,17 @@ TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
 
 TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     const conformance::ScratchFolder folder;
-    const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), "machines");
+    const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), {"machines"});
     EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error(), "router_a.ngc:3: no such code");
-    const GsimProgram killed(script(folder, "kill -9 $$\n"), "machines");
+    const GsimProgram killed(script(folder, "kill -9 $$\n"), {"machines"});
     EXPECT_EQ(killed.cycle_time_s(recording(folder)).error(), "fake-gsim-run was ended by signal 9");
-    const GsimProgram silent(script(folder, "exit 1\n"), "machines");
+    const GsimProgram silent(script(folder, "exit 1\n"), {"machines"});
     EXPECT_EQ(silent.cycle_time_s(recording(folder)).error(), "gsim-run failed without a word");
     const GsimProgram refusing(
         script(folder, "echo '{\"status\": \"alarm\", \"alarm\": {\"message\": \"no such code\"}}'; exit 1"),
-        "machines");
+        {"machines"});
     EXPECT_EQ(refusing.cycle_time_s(recording(folder)).error(), "alarm: no such code");
-    const GsimProgram missing(folder.path() / "missing", "machines");
+    const GsimProgram missing(folder.path() / "missing", {"machines"});
     EXPECT_FALSE(missing.cycle_time_s(recording(folder)));
 }
 
@@ -88,7 +88,7 @@ TEST(GsimProgram, ReadsTrajectoryAndMoves) {
                "printf 't_s,line,x_mm,y_mm,z_mm,speed_mm_s\\n0,3,0,0,0,0\\n0.5,3,7,0,0,0\\n' >\"$7\"\n"
                "test \"$8 $9\" = '--step 0.01' || exit 1\n"
                "echo '{\"line\": 3, \"start_s\": 0, \"end_s\": 0.5}' >\"${11}\"\n"),
-        "machines");
+        {"machines"});
     const auto path = gsim.path(recording(folder));
     ASSERT_TRUE(path) << path.error();
     ASSERT_EQ(path->trajectory.size(), 2U);

@@ -37,7 +37,7 @@ constexpr int kSkipped = 77;  // exit status that CTest takes for a test that wa
 struct Arguments {
     std::string folder;
     std::string gsim_run = "gsim-run";
-    std::string machines;
+    std::vector<std::string> machines;
     bool markdown = false;
     bool positions = false;
     bool summary = false;
@@ -51,7 +51,8 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
         "environment's "
         "GSIM_REFERENCE");
     line.add("--gsim-run", &arguments.gsim_run, "the program gsim-run").shows_default();
-    line.add("--machines", &arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
+    line.add("--machines", &arguments.machines,
+             "folder of machine files CONTROLLER-MACHINE.toml; the first one that has a file counts")
         .must_be_given();
     line.add("--markdown", &arguments.markdown, "tables in Markdown");
     line.add("--positions", &arguments.positions,

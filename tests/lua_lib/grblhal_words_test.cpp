@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/ngc_run.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::script::grblhal_words_test {
 namespace {
@@ -13,9 +13,7 @@ constexpr double kGrid_mm = 0.003;  // half of a step of 0.004 mm in X and Y
 
 Conditions on(const std::string& machine) {
     Conditions setup = ngc_conditions();
-    setup.machine =
-        machine::load_machine(std::filesystem::path(tests::source_path("samples/machines")) / machine)
-            .value();
+    setup.machine = machine::load_machine(tests::machine_path(machine)).value();
     return setup;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "machine/file/machine_file.h"
-#include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::script::klipper_test {
 namespace {
@@ -17,8 +17,7 @@ constexpr double kSame = 1e-9;
 
 Conditions on(const std::string& machine) {
     Conditions setup;
-    const std::filesystem::path folder = std::filesystem::path(tests::source_path("samples/machines"));
-    setup.machine = machine::load_machine(folder / ("klipper-" + machine + ".toml")).value();
+    setup.machine = machine::load_machine(tests::machine_path("klipper-" + machine + ".toml")).value();
     setup.options.dialect = "klipper";
     return setup;
 }

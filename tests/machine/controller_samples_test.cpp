@@ -13,6 +13,7 @@
 #include "machine/file/controller_file.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::machine::controller_samples_test {
 namespace {
@@ -23,7 +24,7 @@ using rrs::LinuxcncRelease;
 using rrs::PlannerKind;
 
 Machine sample(const std::string& name) {
-    return load_machine(tests::source_path("samples/machines/") + name).value();
+    return load_machine(tests::machine_path(name)).value();
 }
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {

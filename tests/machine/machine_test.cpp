@@ -11,6 +11,7 @@
 
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::machine::machine_test {
 namespace {
@@ -93,8 +94,7 @@ TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
     std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
     for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router",
                                    "linuxcnc-2.10-gantry-pt0", "linuxcnc-2.10-router-pt1-jdef"}) {
-        const Machine machine =
-            load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
+        const Machine machine = load_machine(tests::machine_path(name + ".toml")).value();
         const auto kinematics = make_kinematics(machine);
         for (int i = 0; i < 100; ++i) {
             rrs::JointPos joints(5);

@@ -16,6 +16,7 @@
 #include "cli/parse.h"
 #include "machine/file/machine_file.h"
 #include "tests/accuracy/controller.h"
+#include "tests/accuracy/machine_folders.h"
 #include "tests/calibrate/black_box/black_box.h"
 #include "tests/conformance/scratch_folder.h"
 
@@ -34,7 +35,7 @@ constexpr double kMean_percent = 1;
 
 struct Arguments {
     std::string folder;
-    std::string machines;
+    std::vector<std::string> machines;
     std::string only;
     std::uint64_t fitted = 30;
     std::uint64_t most_moves = 700;
@@ -48,7 +49,8 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("folder", &arguments.folder,
              "folder with recordings in linuxcnc/, grbl/ and so on; else that of the environment's "
              "GSIM_REFERENCE");
-    line.add("--machines", &arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
+    line.add("--machines", &arguments.machines,
+             "folder of machine files CONTROLLER-MACHINE.toml; the first one that has a file counts")
         .must_be_given();
     line.add("--only", &arguments.only, "machines whose names begin so").called("NAME");
     line.add("--fit", &arguments.fitted, "runs that a model is fitted to").within(6, 1000).shows_default();
@@ -139,7 +141,8 @@ int run(const Arguments& arguments) {
     };
     for (const BlackBox& box : boxes) {
         if (box.name.rfind(arguments.only, 0) != 0) continue;
-        const auto machine = machine::load_machine(fs::path(arguments.machines) / (box.name + ".toml"));
+        const auto machine =
+            machine::load_machine(accuracy::machine_file_in(arguments.machines, box.name + ".toml"));
         if (!machine) throw std::runtime_error(machine.error());
         auto outcome = try_box(box, without_inside(*machine), arguments.fitted, arguments.most_moves,
                                static_cast<std::uint32_t>(arguments.seed), data, tell);
